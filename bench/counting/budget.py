@@ -6,7 +6,7 @@ import numpy as np
 
 import rimroll as rr
 from counting.draws import Setting
-from counting.engines import MOST_STEPS, one
+from counting.engines import MAX_STEPS, one
 
 RTOL = 1e-10
 
@@ -34,7 +34,7 @@ def unbalanced(setting: Setting, law: rr.Law, starts: rr.State, row: int) -> str
         duration=duration,
         gravity=setting.gravity,
         rtol=RTOL,
-        max_steps=MOST_STEPS,
+        max_steps=MAX_STEPS,
     )
     budget = motion.energy_budget
     whole = max(np.max(np.abs(budget)), np.max(motion.kinetic_energy))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 import rimroll as rr
 from counting.draws import Setting
 from counting.engines import (
-    MOST_STEPS,
+    MAX_STEPS,
     RTOL,
     TIGHTEST,
     Array,
@@ -78,7 +78,7 @@ def explanation(setting: Setting, start: rr.State, exact: Outcomes, stepped: Out
     if _agree(exact, stepped, TIGHTEST, 0.0).all():
         return "equal by tighter steps"
     if stepped.outcome[0] == "failed":
-        return f"more than {MOST_STEPS} steps"
+        return f"more than {MAX_STEPS} steps"
     if np.nanmin([exact.min_tilt[0], stepped.min_tilt[0], 1.0]) < 2.0 * FLAT:
         return "the smallest tilt is about that at which a base counts as flat"
     if stepped.outcome[0] == "hovered" and exact.end_time[0] > stepped.end_time[0]:

@@ -20,7 +20,7 @@ TIGHTEST = 1e-13
 FALLING_TIMES = 1000.0
 """A fall is followed for this many times the time scale of falling over, as in the quadrature."""
 
-MOST_STEPS = 20_000
+MAX_STEPS = 20_000
 
 Array = NDArray[np.float64]
 
@@ -60,7 +60,7 @@ def by_steps(setting: Setting, starts: rr.State, rtol: float = RTOL) -> Outcomes
         duration=FALLING_TIMES * setting.falling_time,
         gravity=setting.gravity,
         rtol=rtol,
-        max_steps=MOST_STEPS,
+        max_steps=MAX_STEPS,
     )
     return Outcomes(*(falls[field.name].values for field in fields(Outcomes)))
 

@@ -14,7 +14,7 @@ from scipy.integrate._ivp import dop853_coefficients as dop853
 
 STAGES = dop853.N_STAGES
 ATOL_OVER_RTOL = 1e-4
-MOST_STEPS = 200_000
+MAX_STEPS = 200_000
 
 
 def compile_it(function, **options):
@@ -121,7 +121,7 @@ def compiled(coordinates, law):
         by_tilt_rate, rising = False, False
         h = 1e-3
         derivatives(u, by_tilt_rate, stages[0])
-        for _ in range(MOST_STEPS):
+        for _ in range(MAX_STEPS):
             if by_tilt_rate:
                 h = min(h, -u[place])
             error = try_step(u, h, by_tilt_rate, rtol, stages, at, end)

@@ -104,7 +104,7 @@ if TYPE_CHECKING:
         reduced_motion as reduced_motion,
         rocking_friction as rocking_friction,
     )
-    from rimroll.sensitivity import (
+    from rimroll.left_or_right import (
         turn_map as turn_map,
         watershed as watershed,
         watershed_slope as watershed_slope,
@@ -213,7 +213,7 @@ _NAMES = {
     "rimroll.nutations": ("Nutation", "nutation", "resonant_start"),
     "rimroll.polygon": ("PolygonEvent", "PolygonMotion", "PolygonalBody"),
     "rimroll.reduced": ("ReducedMotion", "reduced_motion", "rocking_friction"),
-    "rimroll.sensitivity": ("turn_map", "watershed", "watershed_slope"),
+    "rimroll.left_or_right": ("turn_map", "watershed", "watershed_slope"),
     "rimroll.shaking.lognormal": ("Fragility", "UndecidedWarning", "fragility"),
     "rimroll.shaking.many": ("shake_many",),
     "rimroll.shaking.maxima": ("Distance", "Maxima", "imperfect_starts", "random_maxima"),

@@ -13,7 +13,7 @@ from rimroll.falls import Falls
 from rimroll.laws import IDEAL, law_of
 from rimroll.many_falls import OPTIONS, fell
 from rimroll.options import Options
-from rimroll.sensitivity import goes_left, halved, watershed_slope
+from rimroll.left_or_right import goes_left, halved, watershed_slope
 from rimroll.state import State
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from rimroll.given import number
 Array = NDArray[np.float64]
 Curve = Callable[[Array], Array]
 
-MOST_POINTS = 10_000
+MAX_POINTS = 10_000
 """The largest number of points; a function that needs more raises an error."""
 
 CLOSEST = 1e-9
@@ -40,7 +40,7 @@ def sampled(
     They begin with ``speeds``. The middle is added of each interval in which the curve is farther
     from ``mu`` at a quarter, half or three quarters of it, or at one of 64 places between each two
     of ``speeds``. Raises ``RimrollError`` where ``mu`` gives no friction, is not continuous, or
-    needs more than :data:`MOST_POINTS`.
+    needs more than :data:`MAX_POINTS`.
     """
     known = {speed: _friction(mu, speed) for speed in speeds}
     begin = np.array(speeds)
@@ -59,7 +59,7 @@ def sampled(
             return points.tolist(), frictions
         closest = np.min(np.diff(sorted({*known, *new})))
         span = points[-1] - points[0]
-        if len(known) + len(new) > MOST_POINTS or closest < CLOSEST * span:
+        if len(known) + len(new) > MAX_POINTS or closest < CLOSEST * span:
             raise RimrollError(
                 f"mu cannot be followed to {tolerance:g} near {min(new):g} m/s with {len(known)}"
                 " points: it must be continuous"

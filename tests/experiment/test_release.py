@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 import rimroll as rr
 from given.strategies import bodies, examples
-from rimroll.experiment.release import MOST_TRIALS, PRESETS
+from rimroll.experiment.release import MAX_TRIALS, PRESETS
 
 CAN = rr.bodies.can_2007()
 MANY = 20_000
@@ -231,7 +231,7 @@ def test_what_is_no_release_is_refused_with_a_sentence(wrong, words):
     [
         (0, 1, "n must be a whole number"),
         (1.5, 1, "n must be a whole number"),
-        (MOST_TRIALS + 1, 1, "n must be at most"),
+        (MAX_TRIALS + 1, 1, "n must be at most"),
         (1, -1, "seed must be a whole number"),
         (1, 1.0, "seed must be a whole number"),
         (1, True, "seed must be a whole number"),

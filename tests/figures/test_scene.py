@@ -22,10 +22,10 @@ from rimroll.animation.files import gif_pauses
 from rimroll.animation.painter import Painter, Trail
 from rimroll.animation.stage import Stage
 from rimroll.errors import RimrollError
-from rimroll.falling import falling_figure, falling_times
+from rimroll.falling_figure import falling_figure, falling_times
 from rimroll.output import ensure_folder, writing
 from rimroll.scene import Array, Camera, Pose, Profile
-from rimroll.spans import turn_span, turn_spans
+from rimroll.turn_spans import turn_span, turn_spans
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from PIL import Image
 import rimroll as rr
 from rimroll import scene
 from rimroll.animation.clock import film_clock
-from rimroll.animation.floor import Floor, round_step
+from rimroll.animation.moving_table import MovingTable, round_step
 from rimroll.animation.shaken_stage import ShakenStage
 from rimroll.animation.strip import extremes
 
@@ -34,7 +34,7 @@ def test_the_table_is_where_its_displacement_says_for_an_eye_at_rest(view: str) 
     stage = stage_of(GROUND, view)
     moved = GROUND.displacement(stage.t)
     assert np.ptp(moved[:, 0]) > 0.3
-    corners = stage.floor.corners()
+    corners = stage.table.corners()
     for k in range(stage.count):
         seen = stage._camera_at(k).project(corners)
         np.testing.assert_allclose(seen, stage.camera.project(corners + moved[k]), atol=1e-12)
@@ -53,7 +53,7 @@ def test_the_outline_stays_while_the_table_moves_below_the_body() -> None:
     stage = stage_of(GROUND)
     upper = (0, 0, *stage.size)
     first, last = (stage.shoot(k).crop(upper) for k in (0, stage.count - 1))
-    corners = stage._pixels(stage.camera.project(stage.floor.corners()))
+    corners = stage._pixels(stage.camera.project(stage.table.corners()))
     x, y = np.rint(corners[0]).astype(int)
     for picture in (first, last):
         assert is_blue(picture)[y - 2 : y + 3, x - 2 : x + 3].any()
@@ -101,13 +101,13 @@ def test_a_dense_curve_keeps_its_extremes() -> None:
 def test_an_eye_goes_with_a_table_that_moves_far() -> None:
     far = rr.ground.rectangular((0.0, 30.0, 0.0), 0.5)
     t = np.linspace(0.0, 3.0, 10)
-    floor = Floor.under(COLUMN, np.zeros((2, 2)), far, t)
-    assert floor.is_seen_from_itself and not floor.moved.any()
-    assert floor.farthest == pytest.approx(30.0 * 0.5 * (3.0 - 0.25), rel=1e-12)
-    near = Floor.under(COLUMN, np.zeros((2, 2)), GROUND, t)
+    table = MovingTable.under(COLUMN, np.zeros((2, 2)), far, t)
+    assert table.is_seen_from_itself and not table.moved.any()
+    assert table.farthest == pytest.approx(30.0 * 0.5 * (3.0 - 0.25), rel=1e-12)
+    near = MovingTable.under(COLUMN, np.zeros((2, 2)), GROUND, t)
     assert not near.is_seen_from_itself
     calm = rr.ground.rectangular(0.0, 0.5)
-    assert not Floor.under(COLUMN, np.zeros((2, 2)), calm, t).is_seen_from_itself
+    assert not MovingTable.under(COLUMN, np.zeros((2, 2)), calm, t).is_seen_from_itself
 
 
 @pytest.mark.parametrize(("length", "step"), [(0.53, 0.5), (0.2, 0.2), (1.99, 1.0), (0.0031, 2e-3)])

@@ -27,7 +27,7 @@ KIND = {"rolling": "stick", "sliding": "slide", "flying": "flight"}
 # The oracle's coordinates lose digits where the base is nearly level, and the direction of a dry
 # slip is stiff where the slip is slow. The oracle follows what has a larger tilt, and a larger slip
 # over sqrt(g R). It follows bounces until they are slower than that.
-LEAST_TILT, LEAST_SLIP, LEAST_BOUNCE = 3e-3, 1e-3, 1e-3
+MIN_TILT, MIN_SLIP, MIN_BOUNCE = 3e-3, 1e-3, 1e-3
 # Between its steps, rimroll interpolates by a polynomial of lower order.
 DENSE = 1e-7
 # The steps of rimroll's in a piece: a near-collision has several pieces.
@@ -100,9 +100,9 @@ class Comparison:
     def pieces(self, kind, first, last):
         """Pairs of nodes between which the oracle can follow a phase on the table."""
         motion = self.motion
-        can = (np.sin(motion.tilt) > LEAST_TILT) & (motion.normal_force > 0.0)
+        can = (np.sin(motion.tilt) > MIN_TILT) & (motion.normal_force > 0.0)
         if self.is_dry and kind == "slide":
-            can &= np.hypot(*motion.slip.T) > LEAST_SLIP * self.speed
+            can &= np.hypot(*motion.slip.T) > MIN_SLIP * self.speed
         follows = can[first : last + 1].astype(int)
         edges = np.flatnonzero(np.diff(follows, prepend=0, append=0)) + first
         for begin, end in zip(edges[::2], edges[1::2] - 1, strict=True):
@@ -129,7 +129,7 @@ class Comparison:
             if motion.t[end] in landings:
                 y = oracle.land(y, oracle.law.landing_friction, oracle.law.restitution)
                 yield self.velocity_errors(end + 1, y)
-                if oracle.rim_velocity(y)[2] < LEAST_BOUNCE * self.speed:
+                if oracle.rim_velocity(y)[2] < MIN_BOUNCE * self.speed:
                     return
 
     def compare(self):
@@ -178,7 +178,7 @@ class Comparison:
                 continue
             fast = 1 + (self.oracle.body.radius / self.speed * motion.yaw_rate[last]) ** 2
             size = self.oracle.body.mass * GRAVITY * fast
-            if np.sin(motion.tilt[last]) < LEAST_TILT:
+            if np.sin(motion.tilt[last]) < MIN_TILT:
                 continue
             if next_name in ("flying", "lifted_off"):
                 force = self.oracle.force(KIND[name], self.state(last), motion.t[last])

@@ -36,7 +36,7 @@ FIRST_SLIP, STIFF_SLIP, SLOW_SLIP, LAST_SLIP = 1e-12, 1e-4, 1e-6, 1e-13
 # How far under the table, in radii, what has lifted off lands: it rises from nothing, like t^3.
 GRAZE = 1e-13
 # A rim that lands more slowly, in units of sqrt(g R), stays.
-LEAST_BOUNCE = 1e-9
+MIN_BOUNCE = 1e-9
 # Tilts (rad) at which a motion ends: nearly on the side, and too flat for a lowest point.
 TOPPLED, FACE_DOWN = 1.5, 1e-7
 
@@ -716,7 +716,7 @@ class _Run:
         at = Attitude(self.body, y)
         law = self.law
         # Invisible bounces end here; there would be infinitely many.
-        bounces = -y[VELOCITY][2] > LEAST_BOUNCE * self.slip_unit
+        bounces = -y[VELOCITY][2] > MIN_BOUNCE * self.slip_unit
         restitution = law.restitution if bounces else 0.0
         if isinstance(law, DryCurve):
             friction = law.mu(np.hypot(*y[VELOCITY][:2]))

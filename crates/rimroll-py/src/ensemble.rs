@@ -5,7 +5,7 @@ use crate::watched::in_threads;
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rimroll::motion::Fall;
-use rimroll::{Options, Release, State, ensemble as ensemble_in_core};
+use rimroll::{Options, Setup, State, ensemble as ensemble_in_core};
 
 /// The numbers of a fall, in the order of [`numbers`].
 pub const FALL_COLUMNS: [&str; 14] = [
@@ -144,7 +144,7 @@ pub fn ensemble<'py>(
     let contact_laws = contact_law.of_rows(&varied)?;
     let friction_scale = friction_scale.as_array();
     let rows = starts.starts()?.zip(friction_scale.iter()).enumerate();
-    let trials: Vec<Release<'_>> = rows
+    let setups: Vec<Setup<'_>> = rows
         .map(|(row, (start, &factor))| {
             let contact_law = of_row(&contact_laws, row)
                 .clone()
@@ -153,7 +153,7 @@ pub fn ensemble<'py>(
         })
         .collect();
     let (falls, stopped) = in_threads(py, threads, progress.as_ref(), |watched| {
-        ensemble_in_core(&trials, &options, |falls| watched.count(falls))
+        ensemble_in_core(&setups, &options, |falls| watched.count(falls))
     })?;
     let falls = falls.map_err(refusal)?;
     let table: Vec<f64> = falls.iter().flat_map(numbers).collect();

@@ -9,7 +9,7 @@ mod thread_time;
 
 use bodies::all_but_equal;
 use rimroll::motion::{Fall, fall};
-use rimroll::{ContactLaw, FrictionLaw, IdealLaw, Options, Release, State, ensemble, presets};
+use rimroll::{ContactLaw, FrictionLaw, IdealLaw, Options, Setup, State, ensemble, presets};
 use thread_time::timed;
 
 /// How often everything is computed.
@@ -60,7 +60,7 @@ fn main() {
                 duration: 10.0,
                 ..Options::default()
             };
-            let trials: Vec<_> = starts(n)
+            let setups: Vec<_> = starts(n)
                 .into_iter()
                 .map(|s| (&can, s, contact_law.clone()))
                 .collect();
@@ -68,13 +68,13 @@ fn main() {
                 .num_threads(1)
                 .build()
                 .expect("a thread");
-            let follow = |trials: &[Release<'_>]| {
+            let follow = |setups: &[Setup<'_>]| {
                 let watch = |_| core::ops::ControlFlow::Continue(());
-                ensemble(trials, &options, watch).expect("valid")
+                ensemble(setups, &options, watch).expect("valid")
             };
-            let (falls, us) = pool.install(|| timed(n, RUNS, || follow(&trials)));
+            let (falls, us) = pool.install(|| timed(n, RUNS, || follow(&setups)));
             let bodies = all_but_equal(&can, n);
-            let mixed: Vec<_> = (bodies.iter().zip(&trials))
+            let mixed: Vec<_> = (bodies.iter().zip(&setups))
                 .map(|(body, (_, start, contact_law))| (body, *start, contact_law.clone()))
                 .collect();
             let (_, us_mixed) = pool.install(|| timed(n, RUNS, || follow(&mixed)));
@@ -83,13 +83,13 @@ fn main() {
                 rtol: 1e-13,
                 ..options
             };
-            let exact: Vec<Fall> = trials[..few]
+            let exact: Vec<Fall> = setups[..few]
                 .iter()
                 .map(|(_, s, f)| fall(&can, s, f, &tight).expect("valid"))
                 .collect();
             let alone = || -> Vec<Fall> {
-                let one = |(_, s, f): &Release<'_>| fall(&can, s, f, &options).expect("valid");
-                trials[..few].iter().map(one).collect()
+                let one = |(_, s, f): &Setup<'_>| fall(&can, s, f, &options).expect("valid");
+                setups[..few].iter().map(one).collect()
             };
             let (scalar, us1) = timed(few, 1, alone);
             let errors = |found: &[Fall]| {

@@ -25,7 +25,7 @@ mod pool;
 mod reduced_system;
 mod slip_onset;
 
-pub use self::chunk::Release;
+pub use self::chunk::Setup;
 
 use self::batch::{batch, fits_lanes};
 use crate::error::InvalidInput;
@@ -52,42 +52,42 @@ const SCALAR_COST: usize = 32;
 ///
 /// `watch` is called on these threads after each chunk of work with the number of falls in it, and with 0
 /// before each scalar fall. As soon as it breaks, the computation stops. The result then consists of the falls
-/// from the first release up to the first one that was not computed.
+/// from the first setup up to the first one that was not computed.
 ///
 /// # Errors
-/// As [`simulate`](crate::simulate), for the first release that is refused.
+/// As [`simulate`](crate::simulate), for the first setup that is refused.
 pub fn ensemble(
-    releases: &[Release<'_>],
+    setups: &[Setup<'_>],
     options: &Options,
     watch: impl Fn(usize) -> ControlFlow<()> + Sync,
 ) -> Result<Vec<Fall>, InvalidInput> {
-    for (.., contact_law) in releases {
+    for (.., contact_law) in setups {
         contact_law.check()?;
     }
-    let starts = releases.iter().map(|&(body, start, _)| (body, start));
+    let starts = setups.iter().map(|&(body, start, _)| (body, start));
     options.check_all(starts, |index| {
-        releases[index].2.friction == FrictionLaw::InPlace
+        setups[index].2.friction == FrictionLaw::InPlace
     })?;
-    let work = |chunk: &[Release<'_>], should_continue: &dyn Fn() -> bool| {
+    let work = |chunk: &[Setup<'_>], should_continue: &dyn Fn() -> bool| {
         batch(chunk, options, should_continue)
     };
-    let chunks: Vec<_> = chunks(releases, threads()).collect();
+    let chunks: Vec<_> = chunks(setups, threads()).collect();
     Ok(map_in_order(&chunks, work, watch))
 }
 
-/// Divides the releases into chunks of work. The last chunks are small, so that no thread waits long for another.
+/// Divides the setups into chunks of work. The last chunks are small, so that no thread waits long for another.
 fn chunks<'a>(
-    mut releases: &'a [Release<'a>],
+    mut setups: &'a [Setup<'a>],
     threads: usize,
-) -> impl Iterator<Item = &'a [Release<'a>]> {
+) -> impl Iterator<Item = &'a [Setup<'a>]> {
     core::iter::from_fn(move || {
         // A single thread never waits.
         let full = match threads {
             1 => MAX_CHUNK,
-            _ => (releases.len() / (4 * threads)).clamp(MIN_CHUNK, MAX_CHUNK),
+            _ => (setups.len() / (4 * threads)).clamp(MIN_CHUNK, MAX_CHUNK),
         };
         let mut size = 0;
-        let taken = releases.iter().take_while(|(.., contact_law)| {
+        let taken = setups.iter().take_while(|(.., contact_law)| {
             let fits = size < full;
             size += if fits_lanes(contact_law) {
                 1
@@ -96,14 +96,14 @@ fn chunks<'a>(
             };
             fits
         });
-        let chunk = releases.split_off(..taken.count())?;
+        let chunk = setups.split_off(..taken.count())?;
         (!chunk.is_empty()).then_some(chunk)
     })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{MAX_CHUNK, MIN_CHUNK, Release, SCALAR_COST, chunks};
+    use super::{MAX_CHUNK, MIN_CHUNK, SCALAR_COST, Setup, chunks};
     use crate::body::Body;
     use crate::contact_law::ContactLaw;
     use crate::law::FrictionLaw;
@@ -115,7 +115,7 @@ mod tests {
         crate::presets::can_2007().expect("the paper's can")
     }
 
-    fn releases(body: &Body, count: usize, contact_law: impl Into<ContactLaw>) -> Vec<Release<'_>> {
+    fn setups(body: &Body, count: usize, contact_law: impl Into<ContactLaw>) -> Vec<Setup<'_>> {
         let contact_law = contact_law.into();
         let numbered = |i| State {
             tilt: i as f64,
@@ -127,12 +127,12 @@ mod tests {
     }
 
     #[test]
-    fn chunks_cover_all_releases_in_order_and_shrink_toward_the_end() {
+    fn chunks_cover_all_setups_in_order_and_shrink_toward_the_end() {
         let can = can();
         for (count, threads) in [(0, 2), (1, 2), (1000, 2), (54_321, 2), (54_321, 32)] {
-            let releases = releases(&can, count, IdealLaw::NoSlip);
-            let chunks: Vec<_> = chunks(&releases, threads).collect();
-            assert_eq!(chunks.concat(), releases);
+            let setups = setups(&can, count, IdealLaw::NoSlip);
+            let chunks: Vec<_> = chunks(&setups, threads).collect();
+            assert_eq!(chunks.concat(), setups);
             let sizes: Vec<usize> = chunks.iter().map(|chunk| chunk.len()).collect();
             assert!(sizes.is_sorted_by(|a, b| a >= b), "{sizes:?}");
             assert!(sizes.iter().all(|&size| size <= MAX_CHUNK), "{sizes:?}");
@@ -147,9 +147,9 @@ mod tests {
     fn a_chunk_holds_fewer_scalar_falls() {
         let viscous = FrictionLaw::Viscous(Viscous { coefficient: 1.0 });
         let can = can();
-        let releases = releases(&can, 1000, viscous);
-        let chunks: Vec<_> = chunks(&releases, 2).collect();
-        assert_eq!(chunks.concat(), releases);
+        let setups = setups(&can, 1000, viscous);
+        let chunks: Vec<_> = chunks(&setups, 2).collect();
+        assert_eq!(chunks.concat(), setups);
         let largest = chunks.iter().map(|chunk| chunk.len()).max();
         assert_eq!(largest, Some(MIN_CHUNK / SCALAR_COST));
     }
@@ -158,9 +158,9 @@ mod tests {
     fn a_chunk_can_mix_scalar_falls_with_falls_in_lanes() {
         let viscous = FrictionLaw::Viscous(Viscous { coefficient: 1.0 });
         let can = can();
-        let rolling = releases(&can, 3000, IdealLaw::NoSlip);
+        let rolling = setups(&can, 3000, IdealLaw::NoSlip);
         // Every tenth fall is scalar.
-        let releases: Vec<_> = rolling
+        let setups: Vec<_> = rolling
             .iter()
             .enumerate()
             .map(|(i, (body, start, contact_law))| match i % 10 {
@@ -169,9 +169,9 @@ mod tests {
             })
             .collect();
         for (threads, full) in [(1, MAX_CHUNK), (2, 3000 / 8), (8, MIN_CHUNK)] {
-            let chunks: Vec<_> = chunks(&releases, threads).collect();
-            assert_eq!(chunks.concat(), releases);
-            let scalar_falls = |chunk: &[Release<'_>]| {
+            let chunks: Vec<_> = chunks(&setups, threads).collect();
+            assert_eq!(chunks.concat(), setups);
+            let scalar_falls = |chunk: &[Setup<'_>]| {
                 let scalar = chunk
                     .iter()
                     .filter(|(.., contact_law)| contact_law.friction == viscous);
@@ -195,7 +195,7 @@ mod tests {
         use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
         let can = can();
-        let releases: Vec<_> = releases(
+        let setups: Vec<_> = setups(
             &can,
             100,
             FrictionLaw::Viscous(Viscous { coefficient: 1.0 }),
@@ -204,13 +204,13 @@ mod tests {
         .map(|(body, start, contact_law)| (body, State { tilt: 0.3, ..start }, contact_law))
         .collect();
         let never_stop = |_| ControlFlow::Continue(());
-        let all = ensemble(&releases, &Options::default(), never_stop).expect("valid starts");
+        let all = ensemble(&setups, &Options::default(), never_stop).expect("valid starts");
         let scalar_falls = AtomicUsize::new(0);
         let watch = |falls| match scalar_falls.fetch_add(usize::from(falls == 0), Relaxed) {
             0..6 => ControlFlow::Continue(()),
             _ => ControlFlow::Break(()),
         };
-        let stopped = || ensemble(&releases, &Options::default(), watch);
+        let stopped = || ensemble(&setups, &Options::default(), watch);
         let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build();
         let falls = one_thread.expect("a pool").install(stopped);
         assert_eq!(falls.expect("valid starts"), all[..6]);

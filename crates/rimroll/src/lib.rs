@@ -82,7 +82,7 @@ pub mod turn;
 
 pub use body::Body;
 pub use contact_law::ContactLaw;
-pub use ensemble::{Release, ensemble};
+pub use ensemble::{Setup, ensemble};
 pub use error::InvalidInput;
 pub use ground::Ground;
 pub use law::{FrictionLaw, IdealLaw};

@@ -15,7 +15,7 @@ use proptest::prelude::*;
 use rimroll::law::Coulomb;
 use rimroll::motion::{EventKind, Fall, Outcome, fall};
 use rimroll::{
-    Body, ContactLaw, FrictionLaw, IdealLaw, InvalidInput, Motion, Options, Release, State, Status,
+    Body, ContactLaw, FrictionLaw, IdealLaw, InvalidInput, Motion, Options, Setup, State, Status,
     ensemble, presets, simulate,
 };
 
@@ -117,47 +117,47 @@ proptest! {
 
     #[test]
     fn a_fall_is_the_same_to_the_last_bit_alone_and_among_others_in_any_order(
-        body in any_body(), trials in prop::collection::vec((starts(), contact_laws()), 1..40),
+        body in any_body(), setups in prop::collection::vec((starts(), contact_laws()), 1..40),
     ) {
-        let together = all(&body, &trials, &options());
-        let mut reversed = trials.clone();
+        let together = all(&body, &setups, &options());
+        let mut reversed = setups.clone();
         reversed.reverse();
         let mut backward = all(&body, &reversed, &options());
         backward.reverse();
         prop_assert_eq!(&together, &backward);
-        for (trial, found) in trials.iter().zip(&together) {
-            prop_assert_eq!(&all(&body, std::slice::from_ref(trial), &options())[0], found);
+        for (setup, found) in setups.iter().zip(&together) {
+            prop_assert_eq!(&all(&body, std::slice::from_ref(setup), &options())[0], found);
         }
     }
 
     #[test]
     fn a_fall_among_those_of_other_bodies_is_that_of_its_body_alone_to_the_last_bit(
-        trials in prop::collection::vec((any_body(), starts(), contact_laws()), 1..80),
+        setups in prop::collection::vec((any_body(), starts(), contact_laws()), 1..80),
     ) {
         // Every third body is a disk, which has no default topple tilt.
         let disk = |body: &Body| {
             let (transverse, axial) = (body.transverse_inertia(), body.axial_inertia());
             Body::new(body.mass(), body.radius(), 0.0, transverse, axial).expect("a disk")
         };
-        let bodies: Vec<Body> = trials
+        let bodies: Vec<Body> = setups
             .iter()
             .enumerate()
             .map(|(i, (body, ..))| if i % 3 == 0 { disk(body) } else { *body })
             .collect();
-        let releases: Vec<Release<'_>> = bodies
+        let setups: Vec<Setup<'_>> = bodies
             .iter()
-            .zip(&trials)
+            .zip(&setups)
             .map(|(body, (_, start, contact_law))| (body, *start, contact_law.clone()))
             .collect();
         for topple_tilt in [None, Some(1.5)] {
             let options = Options { topple_tilt, ..options() };
-            let together = of_many_bodies(&releases, &options);
-            let reversed: Vec<_> = releases.iter().rev().cloned().collect();
+            let together = of_many_bodies(&setups, &options);
+            let reversed: Vec<_> = setups.iter().rev().cloned().collect();
             let mut backward = of_many_bodies(&reversed, &options);
             backward.reverse();
             prop_assert_eq!(&together, &backward);
-            for (release, found) in releases.iter().zip(&together) {
-                prop_assert_eq!(&of_many_bodies(std::slice::from_ref(release), &options)[0], found);
+            for (setup, found) in setups.iter().zip(&together) {
+                prop_assert_eq!(&of_many_bodies(std::slice::from_ref(setup), &options)[0], found);
             }
         }
     }
@@ -258,16 +258,16 @@ fn brief_slips_are_noticed_at_any_tolerance() {
     }
 }
 
-fn all(body: &Body, trials: &[(State, ContactLaw)], options: &Options) -> Vec<Fall> {
+fn all(body: &Body, setups: &[(State, ContactLaw)], options: &Options) -> Vec<Fall> {
     let with_body =
         |(start, contact_law): &(State, ContactLaw)| (body, *start, contact_law.clone());
-    let releases: Vec<_> = trials.iter().map(with_body).collect();
-    of_many_bodies(&releases, options)
+    let setups: Vec<_> = setups.iter().map(with_body).collect();
+    of_many_bodies(&setups, options)
 }
 
-fn of_many_bodies(releases: &[Release<'_>], options: &Options) -> Vec<Fall> {
+fn of_many_bodies(setups: &[Setup<'_>], options: &Options) -> Vec<Fall> {
     let watch = |_| ControlFlow::Continue(());
-    ensemble(releases, options, watch).expect("valid starts")
+    ensemble(setups, options, watch).expect("valid starts")
 }
 
 fn same_kind(a: &Fall, b: &Fall) -> bool {
@@ -298,7 +298,7 @@ fn near(a: &Fall, b: &Fall, within: f64) -> bool {
 fn the_number_of_threads_makes_no_difference() {
     let can = presets::can_2007().expect("the paper's can");
     let coin = presets::coin().expect("a coin");
-    let trials: Vec<_> = (0..3000)
+    let setups: Vec<_> = (0..3000)
         .map(|i| {
             let tilt = 0.3 + 1e-4 * f64::from(i);
             let start = State {
@@ -319,7 +319,7 @@ fn the_number_of_threads_makes_no_difference() {
     let by = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         pool.expect("threads")
-            .install(|| of_many_bodies(&trials, &options()))
+            .install(|| of_many_bodies(&setups, &options()))
     };
     let one = by(1);
     assert!(one.iter().all(|fall| fall.turn.is_some()));
@@ -336,12 +336,12 @@ fn what_is_done_before_the_watch_ends_the_work_is_kept() {
         yaw_rate: 0.01,
         ..State::default()
     };
-    let trials = vec![(&can, start, ContactLaw::from(IdealLaw::NoSlip)); 5000];
-    let whole = of_many_bodies(&trials, &options());
+    let setups = vec![(&can, start, ContactLaw::from(IdealLaw::NoSlip)); 5000];
+    let whole = of_many_bodies(&setups, &options());
     let stop = |_| ControlFlow::Break(());
     for threads in [1, 2, 5] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        let stopped = || ensemble(&trials, &options(), stop).expect("valid starts");
+        let stopped = || ensemble(&setups, &options(), stop).expect("valid starts");
         let some = pool.build().expect("a pool of threads").install(stopped);
         // On several threads, the first chunk need not be done when another chunk ends the work.
         if threads == 1 {
@@ -386,9 +386,9 @@ fn one_bad_start_is_refused_for_all() {
     };
     let bad = State { tilt: -0.4, ..good };
     let contact_law = ContactLaw::from(IdealLaw::NoSlip);
-    let trials = [(&can, good, contact_law.clone()), (&can, bad, contact_law)];
+    let setups = [(&can, good, contact_law.clone()), (&can, bad, contact_law)];
     let watch = |_| ControlFlow::Continue(());
-    let refused = ensemble(&trials, &options(), watch);
+    let refused = ensemble(&setups, &options(), watch);
     assert!(matches!(
         refused,
         Err(InvalidInput::OutOfBounds { field: "tilt", .. })

@@ -2,7 +2,7 @@
 
 `clock` computes film time, `stage` arranges what the film shows, `painter` paints it, `files`
 and `film_file` write it, and `film` keeps it in memory. `shaken_stage` shows a table that moves:
-its plate is in `floor`, the record below in `strip`.
+its plate is in `moving_table`, the record below in `strip`.
 """
 
 from rimroll.animation.film import Film

@@ -9,7 +9,7 @@ from PIL import Image
 
 from rimroll import scene
 from rimroll.animation.clock import FilmClock
-from rimroll.animation.floor import LINE, Floor
+from rimroll.animation.moving_table import LINE, MovingTable
 from rimroll.animation.painter import Painter
 from rimroll.animation.stage import CAPTION, LABEL, POINT, TRAIL_WIDTH, Stage
 from rimroll.animation.strip import Strip
@@ -19,7 +19,7 @@ from rimroll.scene import Array, Camera, Motion, RoundBody
 STRIP = 0.24
 """The part of the picture's height that the record takes."""
 
-LEAST = round(4.5 * POINT * LABEL)
+MIN_HEIGHT = round(4.5 * POINT * LABEL)
 """The least height of the record, pixels."""
 
 MARK_WIDTH, GRID_WIDTH = 1.2, 0.6  # points
@@ -46,34 +46,34 @@ class ShakenStage(Stage):
     ) -> None:
         self._ground = ground
         # In a small picture the record's captions need a larger part.
-        width, height = size[0], max(round(STRIP * size[1]), min(LEAST, size[1] // 2))
+        width, height = size[0], max(round(STRIP * size[1]), min(MIN_HEIGHT, size[1] // 2))
         super().__init__(motion, body, clock, fps, view, (width, size[1] - height))
         self.strip = Strip(ground, float(motion.t[-1]), (width, height))
 
     def _prepare(self, motion: Motion) -> None:
         # A wedge says little of a body that rocks on a table that moves.
         self.turns = []
-        self.floor = Floor.under(self.body, self._path, self._ground, self.t)
+        self.table = MovingTable.under(self.body, self._path, self._ground, self.t)
 
     def _set_up(self) -> None:
         self.still = Image.new("RGB", self.size, "white")
 
     def _camera_at(self, k: int) -> Camera:
-        x, y, z = np.asarray(self.camera.focus) - self.floor.moved[k]
+        x, y, z = np.asarray(self.camera.focus) - self.table.moved[k]
         return replace(self.camera, focus=(float(x), float(y), float(z)))
 
     def _seen(self) -> list[Array]:
-        plate = [self._camera_at(k).project(self.floor.corners()) for k in range(self.count)]
+        plate = [self._camera_at(k).project(self.table.corners()) for k in range(self.count)]
         return super()._seen() + plate
 
     def _paint_table(self, painter: Painter, camera: Camera) -> None:
-        faces, colors = self.floor.faces(camera)
+        faces, colors = self.table.faces(camera)
         painter.facets(self._pixels(faces), colors)
-        for line in self.floor.grid(camera):
+        for line in self.table.grid(camera):
             painter.line(self._pixels(line), POINT * GRID_WIDTH, LINE)
-        if self.floor.is_seen_from_itself:
+        if self.table.is_seen_from_itself:
             return
-        corners = self._pixels(self.camera.project(self.floor.corners()))
+        corners = self._pixels(self.camera.project(self.table.corners()))
         for i in range(4):
             for dash in _dashes(corners[i - 1], corners[i]):
                 painter.line(dash, POINT * MARK_WIDTH, scene.BLUE)
@@ -93,8 +93,8 @@ class ShakenStage(Stage):
 
     def _write_captions(self, painter: Painter, k: int) -> None:
         super()._write_captions(painter, k)
-        if self.floor.is_seen_from_itself:
-            text = f"seen from the table, which moves by {self.floor.farthest:.2g} m"
+        if self.table.is_seen_from_itself:
+            text = f"seen from the table, which moves by {self.table.farthest:.2g} m"
             width, height = self.size
             place = (0.965 * width, 0.045 * height + 1.3 * POINT * CAPTION)
             painter.words(place, text, POINT * CAPTION, scene.INK, "ra", 0.0)

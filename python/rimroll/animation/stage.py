@@ -13,7 +13,7 @@ from rimroll.animation.clock import FilmClock, slowed
 from rimroll.animation.painter import Painter, Trail
 from rimroll.errors import RimrollError
 from rimroll.scene import Array, Camera, Motion, Pose, RoundBody
-from rimroll.spans import Span, turn_spans
+from rimroll.turn_spans import Span, turn_spans
 
 POINT = 100.0 / 72.0  # pixels
 CAPTION, LABEL = 10.0, 9.0  # sizes of type, points

@@ -10,7 +10,7 @@ import typer
 from rimroll.cli.options import MotionOptions, whole
 from rimroll.experiment.toppling import FALLING
 from rimroll.options import Options
-from rimroll.scenario import MOST_STEPS
+from rimroll.scenario import MAX_STEPS
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class FallOptions(MotionOptions):
         typer.Option(
             help="Largest number of solver steps of a fall. [100000]",
             metavar="NUMBER",
-            parser=whole(1, MOST_STEPS),
+            parser=whole(1, MAX_STEPS),
             rich_help_panel="Motion",
         ),
     ] = None

@@ -10,7 +10,7 @@ from rich.table import Table
 from rimroll.cli.screen import table
 from rimroll.gyro.motions.result import Estimate
 
-MOST_PLACES = 9
+MAX_PLACES = 9
 """Decimals of a number that is known exactly."""
 
 _SHOWN: dict[str, tuple[float, str]] = {
@@ -51,5 +51,5 @@ def _in_words(name: str, one: Estimate) -> tuple[str, str, str, str]:
 def _places(error: float) -> int:
     """The decimals of a number whose error is shown with two digits."""
     if not error > 0.0:
-        return MOST_PLACES
-    return min(max(1 - math.floor(math.log10(error)), 0), MOST_PLACES)
+        return MAX_PLACES
+    return min(max(1 - math.floor(math.log10(error)), 0), MAX_PLACES)

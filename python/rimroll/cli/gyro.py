@@ -188,7 +188,7 @@ FORMS: Forms[tuple[Analysis, dict[str, Any]]] = {
     ".json": _numbers,
 }
 
-MOST_SHOWN = 12
+MAX_SHOWN = 12
 """Near-collisions in the table."""
 
 
@@ -198,7 +198,7 @@ def _show(found: Analysis) -> None:
     prose(_sensor_line(found))
     say()
     rows = table("near-collision", "tilts", "spin", "energy", "veer", "friction")
-    shown = zip(found.collisions[:MOST_SHOWN], found.frictions, strict=False)
+    shown = zip(found.collisions[:MAX_SHOWN], found.frictions, strict=False)
     for i, (one, friction) in enumerate(shown, 1):
         rows.add_row(
             f"{i} at {one.time:.3f} s",
@@ -209,7 +209,7 @@ def _show(found: Analysis) -> None:
             "any" if found.friction is None else _interval(friction),
         )
     say(rows)
-    if (more := len(found.collisions) - MOST_SHOWN) > 0:
+    if (more := len(found.collisions) - MAX_SHOWN) > 0:
         say(f"and {more} more")
     say()
     prose(

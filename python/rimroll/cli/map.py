@@ -34,14 +34,14 @@ from rimroll.experiment.release import Release
 from rimroll.falls import Falls, Interrupted
 from rimroll.laws import IDEAL
 from rimroll.many_falls import fell, outcomes
-from rimroll.sensitivity import map_falls, watershed_slope
+from rimroll.left_or_right import map_falls, watershed_slope
 from rimroll.state import State
 from rimroll.theory import turn_limit
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-MOST_POINTS = 3000
+MAX_POINTS = 3000
 """The largest number of points in each direction of a map: nine million falls."""
 
 
@@ -137,8 +137,8 @@ def map(
     """
     files = output or []
     check(files, FORMS, json)
-    if not 2 <= plane.points <= MOST_POINTS:
-        raise RimrollError(f"--points must be between 2 and {MOST_POINTS}, got {plane.points}")
+    if not 2 <= plane.points <= MAX_POINTS:
+        raise RimrollError(f"--points must be between 2 and {MAX_POINTS}, got {plane.points}")
     yaw = rates(plane.yaw_rates, plane.points, "--yaw-rates")
     spin = rates(plane.spin_rates, plane.points, "--spin-rates")
     start = StartOptions(tilt=plane.tilt, tilt_rate=plane.tilt_rate)

@@ -14,7 +14,7 @@ from rimroll import laws, surfaces
 from rimroll.laws import Parameter
 from rimroll.laws.shared import RESTITUTION
 from rimroll.names import typed
-from rimroll.scenario import MOST_STEPS, presets
+from rimroll.scenario import MAX_STEPS, presets
 
 
 def whole(least: int | None = None, most: int | None = None) -> Callable[[str], int]:
@@ -133,7 +133,7 @@ class MotionOptions:
         typer.Option(
             help="Largest number of solver steps. [1000000]",
             metavar="NUMBER",
-            parser=whole(1, MOST_STEPS),
+            parser=whole(1, MAX_STEPS),
             rich_help_panel="Motion",
         ),
     ] = None

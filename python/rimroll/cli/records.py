@@ -21,7 +21,7 @@ from rimroll.names import choose
 from rimroll.shaking.incremental import MEASURES, Measure
 from rimroll.units import quantity
 
-MOST_RECORDS, MOST_LEVELS = 1000, 1000
+MAX_RECORDS, MAX_LEVELS = 1000, 1000
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -42,7 +42,7 @@ class RecordsOptions(RecordOptions):
     synthetic: Annotated[
         int | None,
         typer.Option(
-            parser=whole(1, MOST_RECORDS),
+            parser=whole(1, MAX_RECORDS),
             help="So many synthetic records in place of files, which resemble earthquakes: x and y,"
             " 20 s.",
             metavar="NUMBER",
@@ -92,7 +92,7 @@ class IntensityOptions:
     points: Annotated[
         int | None,
         typer.Option(
-            parser=whole(2, MOST_LEVELS),
+            parser=whole(2, MAX_LEVELS),
             help="Number of levels or factors of a range, evenly apart. [10]",
             metavar="NUMBER",
             rich_help_panel="Intensity",

@@ -24,7 +24,7 @@ ROCKINGS = 4  # that are drawn at most: of more, nothing could be read off
 
 OFFERED = "#808080"  # of a line that stands for those of all tables
 
-MOST = len(style.SERIES)
+MAX_TABLES = len(style.SERIES)
 """The largest number of tables in one figure; more would be indistinguishable."""
 
 
@@ -51,8 +51,8 @@ def side_by_side(outcomes: list[Outcome]) -> Figure:
     table has to offer, the dashed one is μ*, which rolling through needs; a legend below says so.
     Raises ``RimrollError`` for more tables than there are colours.
     """
-    if len(outcomes) > MOST:
-        raise RimrollError(f"a figure shows at most {MOST} tables, got {len(outcomes)}")
+    if len(outcomes) > MAX_TABLES:
+        raise RimrollError(f"a figure shows at most {MAX_TABLES} tables, got {len(outcomes)}")
     until = max(_until(one.motion) for one in outcomes)
     curves, half = _curves(outcomes, until)
     with style.figure_style():

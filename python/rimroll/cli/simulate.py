@@ -32,7 +32,7 @@ from rimroll.motion import Moments, Motion
 from rimroll.motion.shaken import shaken_in_words
 from rimroll.units import quantity
 
-MOST_POINTS = 10_000_000
+MAX_POINTS = 10_000_000
 
 SAMPLED = (".csv", ".nc", ".json")
 """The forms that hold the motion point by point."""
@@ -136,8 +136,8 @@ class Output:
 def _check_spacing(points: int | None, every: float | None, files: list[Path]) -> None:
     if points is not None and every is not None:
         raise RimrollError("--points and --every both space the points: give one")
-    if points is not None and not 2 <= points <= MOST_POINTS:
-        raise RimrollError(f"--points must be between 2 and {MOST_POINTS}, got {points}")
+    if points is not None and not 2 <= points <= MAX_POINTS:
+        raise RimrollError(f"--points must be between 2 and {MAX_POINTS}, got {points}")
     if every is not None and not every > 0.0:
         raise RimrollError(f"--every must be > 0, got {every} s")
     spaced = any(form_of(file) in SAMPLED for file in files)
@@ -172,9 +172,9 @@ def _moments(motion: Motion, points: int | None, every: float | None) -> Moments
     if every is None:
         return motion
     count = last / every
-    if count >= MOST_POINTS:
+    if count >= MAX_POINTS:
         raise RimrollError(
-            f"--every {every} s makes more than {MOST_POINTS} points in {last:.6g} s"
+            f"--every {every} s makes more than {MAX_POINTS} points in {last:.6g} s"
         )
     return motion.evaluate(np.minimum(every * np.arange(int(count * (1.0 + 1e-12)) + 1), last))
 

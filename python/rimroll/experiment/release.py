@@ -21,12 +21,12 @@ from rimroll.units import START_UNIT_OF, in_degrees_hint
 
 Array = NDArray[np.float64]
 
-MOST_TRIALS = 10_000_000
+MAX_TRIALS = 10_000_000
 
 SURPLUS = 1.7
 """Ratio of a flick's energy to that needed to topple, since friction takes some of it."""
 
-LEAST_CHANCE = 2.0**-54
+MIN_CHANCE = 2.0**-54
 """Replaces a random number 0, which has no quantile."""
 
 
@@ -105,11 +105,11 @@ class Release:
         """``n`` starts, a State of arrays (n,), and the friction scale of each, (n,).
 
         Trial k is the same whatever ``n``. Raises ``RimrollError`` unless ``n`` is a whole number
-        from 1 to :data:`MOST_TRIALS` and ``seed`` one from 0 to below 2⁶³.
+        from 1 to :data:`MAX_TRIALS` and ``seed`` one from 0 to below 2⁶³.
         """
         count = whole_number("n", n)
-        if count > MOST_TRIALS:
-            raise RimrollError(f"n must be at most {MOST_TRIALS}, got {count}")
+        if count > MAX_TRIALS:
+            raise RimrollError(f"n must be at most {MAX_TRIALS}, got {count}")
         return self.at(self.chances(0, count, random_seed(seed)))
 
     @classmethod
@@ -122,7 +122,7 @@ class Release:
         bits = np.random.PCG64(seed)
         bits.advance(count * first)
         numbers = np.random.Generator(bits).random((last - first, count))
-        return np.maximum(numbers, LEAST_CHANCE)
+        return np.maximum(numbers, MIN_CHANCE)
 
     def at(self, chances: Array) -> tuple[State, Array]:
         """Starts and friction scales from numbers (n, 5) that are uniform in (0, 1), by inversion.

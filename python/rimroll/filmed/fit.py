@@ -50,7 +50,7 @@ ROUNDS = 100
 """Most evaluations of the last searches; a marker beside the axis makes long valleys."""
 NEAR = 2.0
 """Searches that leave at most so many times as much as the best one count as minima."""
-MOST_RESTARTS = 3
+MAX_RESTARTS = 3
 """How often the interval is sought anew because a lower minimum was met."""
 LONG = 1.5
 """Duration of the motions of a search, s."""
@@ -314,7 +314,7 @@ def _friction_interval(
     minima: list[Found], rise: float, highest: float
 ) -> tuple[tuple[float, float | None], Found]:
     """The interval of the friction over all minima, and the lowest minimum that was met."""
-    for _ in range(MOST_RESTARTS):
+    for _ in range(MAX_RESTARTS):
         best, lowest = minima[0], minima[0]
         lows, highs = [], []
         for one in minima:

@@ -23,7 +23,7 @@ from rimroll.state import State
 if TYPE_CHECKING:
     from rimroll.ground.ground import Ground
 
-MOST_STEPS = 2_000_000_000
+MAX_STEPS = 2_000_000_000
 """The upper bound of max_steps: the largest number that the files of a motion can hold."""
 
 

@@ -42,7 +42,7 @@ from rimroll.names import choose, nearest, typed
 from rimroll.options import Options
 from rimroll.scenario import (
     FILM,
-    MOST_STEPS,
+    MAX_STEPS,
     RESISTANCES,
     Scenario,
     presets,
@@ -158,7 +158,7 @@ class SimulationTable(Table):
     gravity: Annotated[float, in_unit("m/s^2")] = Options.gravity
     rtol: Annotated[float, in_unit("1")] = Options.rtol
     topple_tilt: Tilt | None = None
-    max_steps: Annotated[int, Field(gt=0, le=MOST_STEPS)] = Options.max_steps
+    max_steps: Annotated[int, Field(gt=0, le=MAX_STEPS)] = Options.max_steps
     flat: Any = "stop"
 
 

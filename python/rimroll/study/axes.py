@@ -15,7 +15,7 @@ from rimroll.scenario.tables import Table, as_toml, readable
 from rimroll.study.targets import unit_of
 from rimroll.units import quantity
 
-MOST_VALUES = 1_000_000
+MAX_VALUES = 1_000_000
 """The largest number of values of an axis."""
 
 
@@ -89,8 +89,8 @@ class Described(Table):
             raise RimrollError("number goes with range or log_range, not with values")
         if not values:
             raise RimrollError("values must be one or more, got none")
-        if len(values) > MOST_VALUES:
-            raise RimrollError(f"values must be at most {MOST_VALUES}, got {len(values)}")
+        if len(values) > MAX_VALUES:
+            raise RimrollError(f"values must be at most {MAX_VALUES}, got {len(values)}")
         if unit is None:
             return tuple(values)
         return np.array(
@@ -105,8 +105,8 @@ class Described(Table):
         count = self.number
         if count is None:
             raise RimrollError(f"{key} lacks 'number': how many values")
-        if not 1 <= count <= MOST_VALUES:
-            raise RimrollError(f"number must be between 1 and {MOST_VALUES}, got {count}")
+        if not 1 <= count <= MAX_VALUES:
+            raise RimrollError(f"number must be between 1 and {MAX_VALUES}, got {count}")
         if key == "range":
             return np.linspace(low, high, count)
         if not (low > 0.0 and high > 0.0):

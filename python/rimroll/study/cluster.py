@@ -45,7 +45,7 @@ RECOUNT = 2.0
 TRIES = 3
 """How often a chunk that raises an unexpected error is tried."""
 
-MOST_FAILURES = 10
+MAX_FAILURES = 10
 """The number of failed chunks that ends a run: the others would probably fail, too."""
 
 Found = dict[str, str]
@@ -73,7 +73,7 @@ def connected(
                     threads_per_worker=max(1, cores // workers),
                     dashboard_address="127.0.0.1:0",
                     silence_logs=logging.CRITICAL,
-                    preload=["rimroll.study.deaf"],
+                    preload=["rimroll.study.ignore_interrupts"],
                 )
             )
         client = stack.enter_context(_client(address))
@@ -137,7 +137,7 @@ def compute(
                 continue
             failed[chunk] = failure
             note(f"chunk {chunk} failed: {failure}")
-            if len(failed) >= MOST_FAILURES:
+            if len(failed) >= MAX_FAILURES:
                 break
     finally:
         tasks.forget()

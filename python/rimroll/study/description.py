@@ -39,7 +39,7 @@ HAND = (*(f"start_{name}" for name in STATE), "friction_scale")
 
 COMBINATIONS = ("product", "zip")
 
-MOST_ROWS = 10_000_000_000
+MAX_ROWS = 10_000_000_000
 """The largest number of rows, unless the study says otherwise."""
 
 
@@ -52,7 +52,7 @@ class _Study(Table):
     sampling: str = "independent"
     keep: Any = "all"
     chunk: Annotated[int | None, Field(gt=0)] = None
-    most_rows: Annotated[int, Field(gt=0)] = MOST_ROWS
+    most_rows: Annotated[int, Field(gt=0)] = MAX_ROWS
     store: str | None = None
     body: dict[str, Any]
     law: Any = None

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
-from rimroll.experiment.release import LEAST_CHANCE, Release
+from rimroll.experiment.release import MIN_CHANCE, Release
 from rimroll.names import nearest
 
 Array = NDArray[np.float64]
@@ -27,7 +27,7 @@ sobol, latin_hypercube: trials fill the space of the random quantities evenly (`
 trial k is the same at every place.
 """
 
-MOST_POINTS = {"latin_hypercube": 1 << 20, "sobol": 1 << 30}
+MAX_POINTS = {"latin_hypercube": 1 << 20, "sobol": 1 << 30}
 """The largest numbers of trials: a Latin hypercube must be made as a whole, and Sobol points have
 30 bits."""
 
@@ -46,7 +46,7 @@ def stream(seed: int, name: str, first: int, last: int) -> Array:
     philox.advance(first // WORDS)
     skipped = first % WORDS
     raw = philox.random_raw(last - first + skipped)[skipped:]
-    return np.asarray(np.maximum((raw >> np.uint64(11)) * 2.0**-53, LEAST_CHANCE))
+    return np.asarray(np.maximum((raw >> np.uint64(11)) * 2.0**-53, MIN_CHANCE))
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class Sampling:
     def __post_init__(self) -> None:
         if self.method not in SAMPLINGS:
             raise RimrollError(f"unknown sampling {self.method!r}{nearest(self.method, SAMPLINGS)}")
-        most = MOST_POINTS.get(self.method, self.trials)
+        most = MAX_POINTS.get(self.method, self.trials)
         if self.trials > most:
             raise RimrollError(
                 f"trials must be at most {most} with sampling {self.method!r}, got {self.trials}"
@@ -105,7 +105,7 @@ class Sampling:
             points = engine.random(1) if last - first == 1 else _quietly(engine, last - first)
         else:
             points = _hypercube(count, self.seed, self.trials)[first:last]
-        points = np.clip(points, LEAST_CHANCE, 1.0 - 2.0**-53)
+        points = np.clip(points, MIN_CHANCE, 1.0 - 2.0**-53)
         given = {name: points[:, k] for k, name in enumerate(self.names)}
         return given, points[:, len(self.names) :] if self.release else None
 

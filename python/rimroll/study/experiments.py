@@ -15,8 +15,8 @@ from rimroll.study.given import Block, key_in
 
 Array = NDArray[np.float64]
 
-MOST_FALLS = 100_000
-LEAST_FALLS = 3
+MAX_FALLS = 100_000
+MIN_FALLS = 3
 
 
 class _Experiment(Table):
@@ -40,7 +40,7 @@ def experiments_of(table: Mapping[str, Any], block: Block) -> dict[str, Array]:
 
 def _check(found: Mapping[str, Array]) -> None:
     falls = found["falls"]
-    whole = (falls >= LEAST_FALLS) & (falls <= MOST_FALLS) & (falls == np.floor(falls))
-    hold("falls", falls, whole, f"whole, between {LEAST_FALLS} and {MOST_FALLS}")
+    whole = (falls >= MIN_FALLS) & (falls <= MAX_FALLS) & (falls == np.floor(falls))
+    hold("falls", falls, whole, f"whole, between {MIN_FALLS} and {MAX_FALLS}")
     for name in ("reading_error", "bias"):
         hold(name, found[name], found[name] >= 0.0, ">= 0", "rad")

@@ -31,8 +31,8 @@ if TYPE_CHECKING:
 
 FORMS = ("map", "curve", "histogram")
 
-MOST_PANELS = 12
-MOST_LINES = 8
+MAX_PANELS = 12
+MAX_LINES = 8
 BINS = 60
 
 COUNT = "count"
@@ -112,7 +112,7 @@ def _over(array: xr.DataArray, along: Sequence[str], form: str | None) -> Figure
     panels = next((dim for dim in rest if not is_number(label_of(array, dim))), None)
     panels = panels or (rest[0] if rest else None)
     array, fixed = _middle(array, [dim for dim in rest if dim != panels])
-    parts = [("", array)] if panels is None else _slices(array, panels, MOST_PANELS)
+    parts = [("", array)] if panels is None else _slices(array, panels, MAX_PANELS)
     own = panels is not None and not is_number(label_of(array, panels))
     figure, every = _page(len(parts), share_y=width == 2 or not own)
     reach = _reach(array)
@@ -186,7 +186,7 @@ def _write_plainly(axis: Axis) -> None:
 
 def _curves(ax: Axes, part: xr.DataArray, x: str, lines: str | None, *, legend: bool) -> None:
     along = label_of(part, x)
-    every = [("", part)] if lines is None else _slices(part, lines, MOST_LINES)
+    every = [("", part)] if lines is None else _slices(part, lines, MAX_LINES)
     colors = style.SERIES if len(every) <= len(style.SERIES) else _shades(len(every))
     for (name, one), color in zip(every, colors, strict=False):
         ax.plot(along.values, one.values, ".-", ms=2.5, color=color, label=name)
@@ -235,7 +235,7 @@ def _kept_histogram(
     long_name = str(counts.attrs.get("long_name", name)).removeprefix("histogram: ")
     centres = label_of(counts, bins).assign_attrs(long_name=long_name)
     total = counts.where(counts >= 0).sum([dim for dim in dims if dim not in along])
-    parts = [("", total)] if not along else _slices(total, along[0], MOST_PANELS)
+    parts = [("", total)] if not along else _slices(total, along[0], MAX_PANELS)
     figure, every = _page(len(parts))
     width = float(centres.values[1] - centres.values[0]) if len(centres) > 1 else 1.0
     for (title, part), ax in zip(parts, every, strict=True):

@@ -18,7 +18,7 @@ PLACES = 8
 LONG_ENOUGH = 0.4
 """A try that takes this long is representative, s."""
 
-MOST_TRIED = 1 << 17
+MAX_TRIED = 1 << 17
 """The largest number of rows that are tried at once."""
 
 
@@ -46,7 +46,7 @@ def probe(plan: Plan, threads: int | None = None) -> Probe:
             plan.compute(first, last, threads=threads)
             tried += last - first
         seconds = time.perf_counter() - begin
-        if seconds > LONG_ENOUGH or tried >= min(plan.rows, MOST_TRIED):
+        if seconds > LONG_ENOUGH or tried >= min(plan.rows, MAX_TRIED):
             return Probe(tried, seconds)
         count *= 4
 

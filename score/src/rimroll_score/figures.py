@@ -16,7 +16,7 @@ from rimroll_score.paths import NEAR, seen_from_above, true_motion
 from rimroll_score.results import EngineResult
 from rimroll_score.sweep import Run
 
-LEAST_ANGLE, LEAST_ENERGY = 1e-4, 1e-6
+MIN_ANGLE, MIN_ENERGY = 1e-4, 1e-6
 """Errors below these are drawn there: degrees and fractions."""
 MARKERS = "osD^vP*Xph"
 
@@ -142,8 +142,8 @@ def _cost(run: Run) -> float:
 
 
 def _angle(run: Run) -> float:
-    return max(run.error, LEAST_ANGLE)
+    return max(run.error, MIN_ANGLE)
 
 
 def _energy(run: Run) -> float:
-    return 100.0 * max(run.energy, LEAST_ENERGY)
+    return 100.0 * max(run.energy, MIN_ENERGY)

@@ -15,7 +15,7 @@ from rimroll_score.worker import Outcome, Task, Worker
 STEPS = (2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5)
 """Steps that are tried, s."""
 
-MOST_SAMPLES = 2000
+MAX_SAMPLES = 2000
 """Samples of a motion; between them several steps are taken."""
 
 
@@ -62,7 +62,7 @@ class Run:
 def task(scene: Scene, state: State, duration: float, dt: float, setting: str) -> Task:
     """A motion with a bounded number of samples, whose last is at the end or just after it."""
     steps = math.ceil(duration / dt - 1e-9)
-    least = max(1, math.ceil(steps / MOST_SAMPLES))
+    least = max(1, math.ceil(steps / MAX_SAMPLES))
     every = next((k for k in range(least, 2 * least + 1) if steps % k == 0), least)
     return Task(scene, state, dt, every, math.ceil(steps / every), setting)
 

@@ -7,7 +7,7 @@ use crate::state::Coordinates;
 /// The facts about a fall in progress from which its result is made.
 #[derive(Debug, Clone)]
 pub(super) struct ActiveFall {
-    /// The index of its release in the chunk.
+    /// The index of its setup in the chunk.
     pub index: usize,
     /// The beginning of the turn: the release, or a tilt maximum after it.
     pub from: Coordinates<f64>,

@@ -1,7 +1,7 @@
 //! The falls of a chunk of work, in lanes where the contact law allows it.
 
 use super::active_fall::ActiveFall;
-use super::chunk::{BodyNumbers, Chunk, Release};
+use super::chunk::{BodyNumbers, Chunk, Setup};
 use super::dry::Dry;
 use super::pool::{Exit, Pool};
 use super::reduced_system::{ReducedFrictionless, ReducedNoSlip, ReducedSystem};
@@ -18,28 +18,28 @@ pub(super) fn fits_lanes(contact_law: &ContactLaw) -> bool {
     matches!(contact_law.friction, NoSlip | Frictionless | Coulomb { .. }) && !contact_law.resists()
 }
 
-/// The falls of a chunk of releases in order. When `should_continue` returns false before a scalar fall, the result
-/// ends before that fall. The options and the releases must have been checked.
+/// The falls of a chunk of setups in order. When `should_continue` returns false before a scalar fall, the result
+/// ends before that fall. The options and the setups must have been checked.
 pub(super) fn batch(
-    releases: &[Release<'_>],
+    setups: &[Setup<'_>],
     options: &Options,
     should_continue: &dyn Fn() -> bool,
 ) -> Vec<Fall> {
     let mut falls = Falls {
-        chunk: Chunk::new(releases, options),
-        done: vec![None; releases.len()],
+        chunk: Chunk::new(setups, options),
+        done: vec![None; setups.len()],
     };
     falls.conservative::<ReducedNoSlip<f64, false>>(FrictionLaw::NoSlip);
     falls.conservative::<ReducedFrictionless<f64>>(FrictionLaw::Frictionless);
-    let dry = |(_, _, contact_law): &Release<'_>| {
+    let dry = |(_, _, contact_law): &Setup<'_>| {
         matches!(contact_law.friction, FrictionLaw::Coulomb(Coulomb { .. }))
             && fits_lanes(contact_law)
     };
-    if releases.iter().any(dry) {
-        let waiting = (0..releases.len()).filter(|&index| dry(&releases[index]));
+    if setups.iter().any(dry) {
+        let waiting = (0..setups.len()).filter(|&index| dry(&setups[index]));
         Dry::new(&falls.chunk, &mut falls.done).follow(waiting);
     }
-    (0..releases.len())
+    (0..setups.len())
         .map_while(|index| {
             falls.done[index]
                 .take()
@@ -55,10 +55,10 @@ struct Falls<'a> {
 
 impl Falls<'_> {
     fn scalar_fall(&self, index: usize) -> Fall {
-        let (body, start, contact_law) = &self.chunk.releases[index];
+        let (body, start, contact_law) = &self.chunk.setups[index];
         match fall(body, start, contact_law, self.chunk.options) {
             Ok(fall) => fall,
-            Err(_) => unreachable!("the releases have been checked"),
+            Err(_) => unreachable!("the setups have been checked"),
         }
     }
 
@@ -66,8 +66,8 @@ impl Falls<'_> {
     fn conservative<A: ReducedSystem<f64, 7>>(&mut self, law: FrictionLaw) {
         let Falls { chunk, done } = self;
         let bounds = &chunk.bounds;
-        let waiting = (0..chunk.releases.len()).filter(|&index| {
-            let (.., contact_law) = &chunk.releases[index];
+        let waiting = (0..chunk.setups.len()).filter(|&index| {
+            let (.., contact_law) = &chunk.setups[index];
             contact_law.friction == law && fits_lanes(contact_law)
         });
         let mut waiting = waiting.peekable();
@@ -78,7 +78,7 @@ impl Falls<'_> {
         loop {
             while pool.len() < LANES {
                 let Some(index) = waiting.next() else { break };
-                let (_, start, _) = &chunk.releases[index];
+                let (_, start, _) = &chunk.setups[index];
                 let (u, body) = (Coordinates::from_state(start), chunk.body(index));
                 if contact.0 != body.place {
                     contact = new_contact(body);

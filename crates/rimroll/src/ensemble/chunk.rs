@@ -1,4 +1,4 @@
-//! A chunk of work: some releases and the parameters of their bodies.
+//! A chunk of work: some setups and the parameters of their bodies.
 
 use super::bounds::Bounds;
 use crate::body::Body;
@@ -8,16 +8,16 @@ use crate::law::Parameters;
 use crate::motion::{Options, ToppleTilt};
 use crate::state::State;
 
-/// A release: the body, its state and the contact law at the release.
-pub type Release<'a> = (&'a Body, State, ContactLaw);
+/// What a fall starts from: the body, its state and the contact law.
+pub type Setup<'a> = (&'a Body, State, ContactLaw);
 
-/// Consecutive releases of an ensemble.
+/// Consecutive setups of an ensemble.
 pub(super) struct Chunk<'a> {
-    pub releases: &'a [Release<'a>],
+    pub setups: &'a [Setup<'a>],
     pub options: &'a Options,
     pub bounds: Bounds,
     bodies: Vec<BodyNumbers>,
-    /// The index of each release's body in `bodies`.
+    /// The index of each setup's body in `bodies`.
     body_of: Vec<usize>,
 }
 
@@ -32,12 +32,12 @@ pub(super) struct BodyNumbers {
 }
 
 impl<'a> Chunk<'a> {
-    /// A chunk of checked releases with the options of the ensemble. Adjacent equal bodies are stored once.
-    pub(super) fn new(releases: &'a [Release<'a>], options: &'a Options) -> Self {
+    /// A chunk of checked setups with the options of the ensemble. Adjacent equal bodies are stored once.
+    pub(super) fn new(setups: &'a [Setup<'a>], options: &'a Options) -> Self {
         let mut bodies: Vec<BodyNumbers> = Vec::new();
-        let mut body_of = Vec::with_capacity(releases.len());
-        for (i, &(body, ..)) in releases.iter().enumerate() {
-            if i == 0 || releases[i - 1].0 != body {
+        let mut body_of = Vec::with_capacity(setups.len());
+        for (i, &(body, ..)) in setups.iter().enumerate() {
+            if i == 0 || setups[i - 1].0 != body {
                 let parameters = Parameters::new(body, options.gravity);
                 bodies.push(BodyNumbers {
                     place: bodies.len(),
@@ -51,7 +51,7 @@ impl<'a> Chunk<'a> {
             body_of.push(bodies.len() - 1);
         }
         Chunk {
-            releases,
+            setups,
             options,
             bounds: Bounds::of(options),
             bodies,
@@ -59,7 +59,7 @@ impl<'a> Chunk<'a> {
         }
     }
 
-    /// The body of the release with this index.
+    /// The body of the setup with this index.
     pub(super) fn body(&self, index: usize) -> &BodyNumbers {
         &self.bodies[self.body_of[index]]
     }

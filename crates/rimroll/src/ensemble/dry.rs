@@ -53,7 +53,7 @@ impl<'a> Dry<'a> {
         }
     }
 
-    /// Computes the falls of some releases. Those that need the scalar solver keep the result `None`.
+    /// Computes the falls of some setups. Those that need the scalar solver keep the result `None`.
     pub(super) fn follow(&mut self, waiting: impl Iterator<Item = usize>) {
         let mut waiting = waiting.peekable();
         let Some(&first) = waiting.peek() else { return };
@@ -119,7 +119,7 @@ impl<'a> Dry<'a> {
 
     /// The coefficients of kinetic and static friction.
     fn frictions(&self, fall: &ActiveFall) -> (f64, f64) {
-        match self.chunk.releases[fall.index].2.friction {
+        match self.chunk.setups[fall.index].2.friction {
             FrictionLaw::Coulomb(Coulomb {
                 friction,
                 static_friction,
@@ -133,14 +133,14 @@ impl<'a> Dry<'a> {
     }
 
     fn contacts(&self, fall: &ActiveFall) -> Contacts {
-        let (body, _, contact_law) = &self.chunk.releases[fall.index];
+        let (body, _, contact_law) = &self.chunk.setups[fall.index];
         let Chunk {
             options, bounds, ..
         } = self.chunk;
         Contacts::new(body, contact_law, options.gravity, bounds.tolerance)
     }
 
-    /// The next release that starts with rolling. Trials that start with slip are added to `to_slip`.
+    /// The next fall that starts with rolling. Falls that start with slip are added to `to_slip`.
     fn next(
         &self,
         waiting: &mut impl Iterator<Item = usize>,
@@ -148,7 +148,7 @@ impl<'a> Dry<'a> {
     ) -> Option<Waiting> {
         while to_slip.len() < LANES {
             let index = waiting.next()?;
-            let at = Coordinates::from_state(&self.chunk.releases[index].1);
+            let at = Coordinates::from_state(&self.chunk.setups[index].1);
             let (body, bounds) = (self.chunk.body(index), &self.chunk.bounds);
             if !bounds.are_far_from(&at, &body.topple) {
                 continue;
@@ -314,7 +314,7 @@ mod tests {
         let can = presets::can_2007().expect("the paper's can");
         // Multiples of irrational numbers spread the starts evenly over all decades.
         let part = |i: usize, by: f64| (i as f64 * by).fract();
-        let releases: Vec<_> = (1..5000)
+        let setups: Vec<_> = (1..5000)
             .map(|i| {
                 let start = State {
                     tilt: 0.3 + 0.3 * part(i, 0.754_877_666),
@@ -331,9 +331,9 @@ mod tests {
                 rtol,
                 ..Options::default()
             };
-            let chunk = Chunk::new(&releases, &options);
-            let mut done = vec![None; releases.len()];
-            Dry::new(&chunk, &mut done).follow(0..releases.len());
+            let chunk = Chunk::new(&setups, &options);
+            let mut done = vec![None; setups.len()];
+            Dry::new(&chunk, &mut done).follow(0..setups.len());
             let left = done.iter().filter(|fall| fall.is_none()).count();
             assert_eq!(left, 0, "rtol {rtol}");
         }

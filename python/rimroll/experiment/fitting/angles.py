@@ -30,7 +30,7 @@ _UNIT_AT_END = re.compile(r"\s*(\[[^\]]*\]|\([^)]*\))$")
 ENOUGH = 8
 """The smallest number of falls of one outcome for a fit."""
 
-MOST_LINES = 10
+MAX_LINES = 10
 """Lines without an angle that a message lists."""
 
 MIN_LABELS = 4
@@ -249,8 +249,8 @@ def _refuse_gaps(table: Table, rows: list[Row], columns: list[int]) -> None:
 
 
 def _lines_in_words(lines: list[int]) -> str:
-    more = f" and {len(lines) - MOST_LINES} more" if len(lines) > MOST_LINES else ""
-    return f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines[:MOST_LINES]))}{more}"
+    more = f" and {len(lines) - MAX_LINES} more" if len(lines) > MAX_LINES else ""
+    return f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines[:MAX_LINES]))}{more}"
 
 
 def _angle(file: str, row: Row, column: int, unit: str) -> float:

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 FITTED = Coulomb.color
-MOST_SHOWN = 16.0
+MAX_SHOWN = 16.0
 """Deviances above say no more than impossible."""
 
 
@@ -102,7 +102,7 @@ def _draw_friction(ax: Axes, fit: Fit) -> None:
         fontsize=6.5,
     )
     ax.set_xlim(0.0, most)
-    ax.set_ylim(0.0, MOST_SHOWN)
+    ax.set_ylim(0.0, MAX_SHOWN)
     ax.legend(loc="upper center", ncols=3, bbox_to_anchor=(0.5, -0.2), columnspacing=1.0)
     title = f"friction {one.friction:.3f}"
     if len(one.intervals) == 1:

@@ -16,8 +16,8 @@ from rimroll.errors import RimrollError, callback, expect
 from rimroll.experiment.fitting.estimate import Estimate, Interval, estimate
 from rimroll.experiment.fitting.likelihood import (
     MIN_OF_A_SIDE,
-    MOST_BIAS,
-    MOST_LOGIT,
+    MAX_BIAS,
+    MAX_LOGIT,
     Likelihood,
     Point,
 )
@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 MIN_FALLS = 8
 """The smallest number of falls for a fit."""
 
-LEAST_SIMULATED, MOST_SIMULATED = 1024, 16384
+MIN_SIMULATED, MAX_SIMULATED = 1024, 16384
 """Bounds of the number of falls simulated at each friction, several times those measured."""
 
 
@@ -280,7 +280,7 @@ def _predictions(
     **options: Any,
 ) -> list[Predicted]:
     """Predictions, with fewer falls for all but the first release."""
-    whole = min(max(LEAST_SIMULATED, 4 * count), MOST_SIMULATED)
+    whole = min(max(MIN_SIMULATED, 4 * count), MAX_SIMULATED)
     sizes = [whole, *(whole // 4 for _ in releases[1:])]
     done = 0
 
@@ -300,7 +300,7 @@ def _at_bounds(likelihood: Likelihood, best: Point, fixed: dict[str, float]) -> 
     """The parameters at an end of the range that is tried, and which end."""
     hands = likelihood.predicted.unsteadiness
     found = {}
-    if "bias" not in fixed and abs(best.bias) > 0.99 * MOST_BIAS:
+    if "bias" not in fixed and abs(best.bias) > 0.99 * MAX_BIAS:
         found["bias"] = "highest" if best.bias > 0.0 else "lowest"
     if len(hands) > 1 and best.unsteadiness > 0.99 * hands[-1]:
         found["unsteadiness"] = "highest"
@@ -344,7 +344,7 @@ def _alone(
     if len(directions) < MIN_OF_A_SIDE:
         return None
     likelihood = Likelihood(predicted, directions)
-    return estimate(likelihood, confidence, {"bias": 0.0, "logit": side * MOST_LOGIT})[0]
+    return estimate(likelihood, confidence, {"bias": 0.0, "logit": side * MAX_LOGIT})[0]
 
 
 def _bias_interval(likelihood: Likelihood, best: Point, confidence: float) -> Interval:
@@ -357,8 +357,8 @@ def _bias_interval(likelihood: Likelihood, best: Point, confidence: float) -> In
 
     def end(sign: float) -> float:
         step, inside = math.radians(1.0), best.bias
-        while abs(inside) < MOST_BIAS:
-            outside = min(max(best.bias + sign * step, -MOST_BIAS), MOST_BIAS)
+        while abs(inside) < MAX_BIAS:
+            outside = min(max(best.bias + sign * step, -MAX_BIAS), MAX_BIAS)
             if beyond(outside) > 0.0:
                 return float(brentq(beyond, inside, outside, xtol=1e-5))
             inside, step = outside, 2.0 * step

@@ -28,10 +28,10 @@ from rimroll.experiment.fitting.predicted import ANGLES, STRAY, TURN, Predicted
 
 Array = NDArray[np.float64]
 
-MOST_BIAS = math.radians(60.0)
+MAX_BIAS = math.radians(60.0)
 """The largest bias that is tried, rad."""
 
-MOST_LOGIT = 6.0
+MAX_LOGIT = 6.0
 MIN_OF_A_SIDE = 3
 """Falls to the rarer side that are needed to distinguish a bias from friction."""
 
@@ -63,9 +63,9 @@ class Likelihood:
         knows_hands = len(predicted.unsteadiness) > 1
         self._bounds = {
             "friction": (float(predicted.frictions[0]), float(predicted.frictions[-1])),
-            "bias": (-MOST_BIAS, MOST_BIAS),
+            "bias": (-MAX_BIAS, MAX_BIAS),
             "log_unsteadiness": tuple(np.log(predicted.unsteadiness[[0, -1]]).tolist()),
-            "logit": (-MOST_LOGIT, MOST_LOGIT),
+            "logit": (-MAX_LOGIT, MAX_LOGIT),
         }
         self._fixed = {} if knows_hands else {"log_unsteadiness": 0.0}
         self._lattice = predicted.frictions[::2]

@@ -35,7 +35,7 @@ ANGLES = 720
 READING_ERROR = math.radians(2.0)
 """Default standard deviation of the reading of a direction, rad."""
 
-LEAST_ERROR = math.radians(0.5)
+MIN_ERROR = math.radians(0.5)
 """The smallest error of reading, rad: below, densities would be narrower than their spacing."""
 
 STRAY = 0.01
@@ -123,9 +123,9 @@ def predict_falls(
     callback("progress", progress)
     gravity = number("gravity", gravity, "m/s^2")
     error = number("reading_error", reading_error, "rad")
-    if not LEAST_ERROR <= error <= 1.0:
+    if not MIN_ERROR <= error <= 1.0:
         raise RimrollError(
-            f"reading_error must be between {math.degrees(LEAST_ERROR):g} and 57 degrees, got "
+            f"reading_error must be between {math.degrees(MIN_ERROR):g} and 57 degrees, got "
             f"{math.degrees(error):g} degrees"
         )
     count, each = whole_number("frictions", frictions), whole_number("falls", falls)

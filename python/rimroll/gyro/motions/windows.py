@@ -14,7 +14,7 @@ from rimroll.gyro.collision import Collision
 from rimroll.gyro.falls import GUARD
 from rimroll.gyro.motions.model import SHARED, Model, Window
 from rimroll.laws import Frictionless, NoSlip
-from rimroll.sensitivity import watershed_slope
+from rimroll.left_or_right import watershed_slope
 
 Array = NDArray[np.float64]
 

@@ -7,13 +7,13 @@ from functools import cache
 import numpy as np
 
 from rimroll import style
-from rimroll.falling import falling_figure
+from rimroll.falling_figure import falling_figure
 from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import Motion, simulate
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing
 from rimroll.paper.setting import MEASURED
-from rimroll.spans import turn_span
+from rimroll.turn_spans import turn_span
 from rimroll.state import State
 from rimroll.theory import turn_limit
 

@@ -18,7 +18,7 @@ from rimroll.motion import Array
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
 from rimroll.paper.setting import MEASURED
-from rimroll.sensitivity import map_falls, watershed, watershed_slope
+from rimroll.left_or_right import map_falls, watershed, watershed_slope
 from rimroll.state import State
 from rimroll.style import superscript
 from rimroll.theory import turn_limit
@@ -31,7 +31,7 @@ LAWS: tuple[Law, ...] = (NoSlip(), Coulomb(FRICTION), Frictionless())
 FLICK = State(tilt=np.radians(20.0), tilt_rate=-5.0)
 """The can falls over on the other side, as in the paper's experiment, and does not lift off."""
 
-MOST = 1.0
+MAX_RATE = 1.0
 """Yaw and spin rates of the maps reach this far, rad/s."""
 
 CELLS = 150
@@ -40,7 +40,7 @@ CELLS = 150
 REACH = 60.0
 """Range of the colour scale on both sides of 180 degrees."""
 
-YAW_RATES = np.geomspace(1e-9, MOST, 73)
+YAW_RATES = np.geomspace(1e-9, MAX_RATE, 73)
 """Range of the cut through the maps, to either side, rad/s."""
 
 ZOOM = 1e-9
@@ -65,7 +65,7 @@ def name(law: Law) -> str:
 @cache
 def falls(law: Law) -> Falls:
     """The map of a law: spin rates above 0 are computed, the others are their mirror images."""
-    rates = (np.arange(CELLS) + 0.5) * 2.0 * MOST / CELLS - MOST
+    rates = (np.arange(CELLS) + 0.5) * 2.0 * MAX_RATE / CELLS - MAX_RATE
     options = replace(OPTIONS, gravity=setting.GRAVITY, rtol=1e-5)
     half = map_falls(setting.CAN, FLICK, law, rates, rates[CELLS // 2 :], options)
 
@@ -95,7 +95,7 @@ def cut(law: Law) -> tuple[Array, Array]:
 @cache
 def line(law: Law) -> tuple[Array, Array]:
     """The watershed of a law, yaw rates and spin rates: theory for the ideal laws, else found."""
-    spin_rates = np.linspace(-MOST, MOST, 9)
+    spin_rates = np.linspace(-MAX_RATE, MAX_RATE, 9)
     if isinstance(law, Coulomb):
         gravity = setting.GRAVITY
         return watershed(setting.CAN, FLICK, law, spin_rates, gravity=gravity), spin_rates
@@ -157,7 +157,7 @@ def _draw_line(ax: Axes, law: Law) -> None:
     ax.plot(*line(law), color=style.THEORY, lw=1.0)
     ax.plot(0.0, 0.0, "o", color=style.THEORY, mfc="white", ms=3.6)
     ax.set_aspect("equal")
-    ax.set(xlim=(-MOST, MOST), ylim=(-MOST, MOST))
+    ax.set(xlim=(-MAX_RATE, MAX_RATE), ylim=(-MAX_RATE, MAX_RATE))
     for axis in (ax.xaxis, ax.yaxis):
         axis.set_ticks([-1.0, -0.5, 0.0, 0.5, 1.0], ["−1", "−0.5", "0", "0.5", "1"])
 
@@ -222,7 +222,7 @@ def _draw_cut(ax: Axes) -> None:
     ticks = np.array([1e-6, 1e-3, 1.0])
     ax.set_xticks([*-ticks[::-1], 0.0, *ticks])
     style.decades(ax.xaxis)
-    ax.set_xlim(-MOST, MOST)
+    ax.set_xlim(-MAX_RATE, MAX_RATE)
     ax.set_ylim(180.0 - REACH, 180.0 + REACH)
     title = "through the maps at spin rate 0: the same jump at every zoom"
     style.label(ax, "d", title, YAW, "direction of fall (degrees)")

@@ -24,7 +24,7 @@ FRONT, LINE = "#c3c8cc", "#b4babf"
 
 
 @dataclass(frozen=True, eq=False)
-class Floor:
+class MovingTable:
     """A square plate that a table carries, and its displacement at the pictures of a film.
 
     Attributes
@@ -45,7 +45,7 @@ class Floor:
     farthest: float
 
     @classmethod
-    def under(cls, body: RoundBody, contacts: Array, ground: Ground, t: Array) -> Floor:
+    def under(cls, body: RoundBody, contacts: Array, ground: Ground, t: Array) -> MovingTable:
         """The plate for contact points (m, 2) on the table, at times (n,).
 
         A table that moves too far for a picture is shown as seen from itself.

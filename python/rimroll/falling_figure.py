@@ -14,7 +14,7 @@ from matplotlib.patches import Patch
 
 from rimroll import artists, scene
 from rimroll.scene import Array, Camera, Motion, Pose, RoundBody
-from rimroll.spans import Span, turn_span
+from rimroll.turn_spans import Span, turn_span
 
 NAMES = ("a", "b", "b′", "c", "d", "e")
 HEAD, FOOT = 0.46, 0.34  # inches for the captions above and the legend below
