@@ -249,6 +249,12 @@ impl CoreMotion {
         self.motion.status.name()
     }
 
+    /// The time at which the body overturned, s.
+    #[getter]
+    fn overturning_time(&self) -> Option<f64> {
+        self.motion.overturning_time()
+    }
+
     /// How it ended, in a sentence with its angles in degrees or radians.
     fn message(&self, degrees: bool) -> String {
         self.motion.ending.sentence(angle_unit(degrees))

@@ -102,6 +102,12 @@ impl Motion {
         self.contacts.moves()
     }
 
+    /// The time at which the body overturned, s; `None` if it did not.
+    pub fn overturning_time(&self) -> Option<f64> {
+        let (k, end) = (self.contacts.parameters(), self.trajectory.end());
+        shaken::overturning_time(k, self.status, &self.events, &end)
+    }
+
     /// A sentence on how the motion ended, with angles in radians.
     pub fn message(&self) -> String {
         self.ending.sentence(AngleUnit::Radians)

@@ -22,7 +22,7 @@ from rimroll.motion.flat import FlatLanding, flat_as_text, flat_given, flat_in_c
 from rimroll.motion.jacobian import QUANTITIES, SHAKEN_PARAMETERS, Jacobian
 from rimroll.motion.moments import ROW_OF, UNITS, Array, Moments
 from rimroll.motion.parts import Event, Phase, Stats, Turn, events_of
-from rimroll.motion.shaken import first_uplift, footprint_of, is_overturned, largest_tilt
+from rimroll.motion.shaken import first_uplift, footprint_of, largest_tilt
 from rimroll.motion.validity import Validity, validity_of
 from rimroll.options import Options, options_of
 from rimroll.recorded import expect_dataset, parameters
@@ -164,12 +164,12 @@ class Motion(Moments):
 
         Under a law without flight, a rim that lifts off beyond the balance tilt also counts.
         """
-        return is_overturned(self)
+        return self._core.overturning_time is not None
 
     @property
     def overturning_time(self) -> float | None:
         """The time at which the body toppled, s; None unless it :attr:`overturned`."""
-        return float(self.t[-1]) if self.overturned else None
+        return self._core.overturning_time
 
     @property
     def uplift_time(self) -> float | None:

@@ -8,7 +8,6 @@ import numpy as np
 
 from rimroll.body import Body
 from rimroll.motion.moments import Array, Moments
-from rimroll.theory import balance_tilt
 
 if TYPE_CHECKING:
     from rimroll.motion.motion import Motion
@@ -22,13 +21,6 @@ def footprint_of(moments: Moments, body: Body) -> Array:
     """
     heading = np.stack([np.cos(moments.yaw), np.sin(moments.yaw)], axis=-1)
     return np.asarray(moments.contact_path + body.radius * heading)
-
-
-def is_overturned(motion: Motion) -> bool:
-    """Whether it toppled, or lifted off beyond the balance tilt under a law without flight."""
-    if motion.status == "lifted_off":
-        return bool(motion.tilt[-1] > balance_tilt(motion.body))
-    return motion.status == "toppled"
 
 
 def largest_tilt(motion: Motion) -> float:

@@ -116,12 +116,10 @@ impl PreparedMotion {
         let end = topple.map_or_else(|| trajectory.end().u, |event| event.at.u);
         let (max_tilt, max_tilt_time) = largest_tilt(start, &events, &end);
         let k = self.contacts.parameters();
-        let has_overturned =
-            topple.is_some() || status == Status::LiftedOff && k.is_past_balance(end.tilt());
         let (from, to) = (footprint(k, start), footprint(k, &end));
         Shaken {
             status,
-            overturning_time: has_overturned.then_some(end.t),
+            overturning_time: overturning_time(k, status, &events, &end),
             max_tilt,
             max_tilt_time,
             uplift_time: first(EventKind::Uplift).map(|event| event.at.t),
@@ -135,6 +133,22 @@ impl PreparedMotion {
             ground_work: end.ground_work,
             steps: work.steps,
         }
+    }
+}
+
+/// The time at which a body overturned, s: when it reached the topple tilt or, under a law without flight, when the rim
+/// lifted off beyond the balance tilt.
+pub(super) fn overturning_time(
+    k: &Parameters<f64>,
+    status: Status,
+    events: &[Event],
+    end: &Coordinates<f64>,
+) -> Option<f64> {
+    let topple = events.iter().find(|event| event.kind == EventKind::Topple);
+    let lifted_off = || status == Status::LiftedOff && k.is_past_balance(end.tilt());
+    match topple {
+        Some(event) => Some(event.at.t),
+        None => lifted_off().then_some(end.t),
     }
 }
 
