@@ -16,6 +16,12 @@ pub(crate) fn along_and_across<T: Real>([x, y]: [T; 2], [unit_x, unit_y]: [T; 2]
     [x * unit_x + y * unit_y, y * unit_x - x * unit_y]
 }
 
+/// A unit vector rotated by an angle.
+pub(crate) fn rotated(e: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sin, cos) = libm::sincos(angle);
+    [e[0] * cos - e[1] * sin, e[1] * cos + e[0] * sin]
+}
+
 /// The time until a slip of this speed stops if the rate of the speed stays the same.
 #[inline(always)]
 pub(crate) fn until_stop<T: Real>(speed: T, rate: T) -> T {

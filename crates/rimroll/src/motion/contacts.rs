@@ -10,7 +10,7 @@ use crate::ground::Ground;
 use crate::impact;
 use crate::law::{DryDynamics, Dynamics, FrictionLaw, Parameters, Resistance, Table};
 use crate::real::{Dual, Real, Scalar};
-use crate::slip_onset::{ROUNDING, along_and_across};
+use crate::slip_onset::{ROUNDING, along_and_across, rotated};
 use crate::state::Coordinates;
 use core::f64::consts::{FRAC_PI_2, TAU};
 use std::borrow::Cow;
@@ -457,10 +457,4 @@ fn onset(dry: &dyn DryDynamics, u: &Coordinates<f64>, base: [f64; 2], angle: f64
         normal: contact.normal,
         consistency: dry.consistency_at_onset(&at_rest, e),
     }
-}
-
-/// A unit vector rotated by an angle.
-pub(super) fn rotated(e: [f64; 2], angle: f64) -> [f64; 2] {
-    let (sin, cos) = libm::sincos(angle);
-    [e[0] * cos - e[1] * sin, e[1] * cos + e[0] * sin]
 }

@@ -3,8 +3,8 @@
 use super::contacts::{Contacts, STANDING_TILT};
 use super::event::{Event, EventKind};
 use super::event_exclusion::{EventExclusion, are_clear};
-use super::flat_landing::FLAT_TILT;
 use super::instant::{Instant, Phase};
+use super::level_base::FLAT_TILT;
 use super::options::Options;
 use super::step_record::{Polynomial, StepRecord};
 use super::topple_tilt::ToppleTilt;

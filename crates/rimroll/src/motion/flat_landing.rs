@@ -1,16 +1,12 @@
 //! What follows where the whole base comes down flat at once, which rigid-body mechanics does not determine.
 
-use super::contacts::Contacts;
-use super::instant::{Instant, LEVEL_PHASES, Phase};
-use super::options::Options;
-use super::run::pass_near_collision;
-use crate::ending::Status;
+use super::instant::LEVEL_PHASES;
+use super::level_base::UPLIFT_TILT;
 use crate::error::{InvalidInput, bounded};
 use crate::law::Parameters;
 use crate::real::{Real, Scalar};
 use crate::state::Coordinates;
 use core::f64::consts::PI;
-use std::sync::Arc;
 
 /// The motion after the whole base has come down flat at once.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -61,7 +57,7 @@ impl FlatLanding {
 
 impl Side {
     /// The sign of the yaw's change in the landing number `landing`.
-    fn sign(self, landing: u64) -> f64 {
+    pub(super) fn sign(self, landing: u64) -> f64 {
         match self {
             Side::Left => 1.0,
             Side::Right => -1.0,
@@ -83,41 +79,6 @@ fn random_bits(seed: u64, index: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)
-}
-
-/// The tilt at which rocking begins, rad. It is so small that the error is below rounding. It is not zero, because with
-/// dt = sin φ dτ no time passes there.
-pub(super) const UPLIFT_TILT: f64 = 1e-15;
-
-/// The tilt at which a base that falls on a table that moves is flat, rad. Rounding in the components of the table's
-/// acceleration makes planar motions deviate by as much. A body that begins to rock is flatter than that.
-pub(super) const FLAT_TILT: f64 = 1e-13;
-
-/// The coordinates after the base of a body at `at` has come down flat; `None` where the motion ends. This is the
-/// landing number `landing` of the motion.
-pub(super) fn landed(
-    contacts: &Arc<Contacts>,
-    options: &Options,
-    at: &Instant,
-    landing: u64,
-) -> Option<Coordinates<f64>> {
-    match options.flat {
-        FlatLanding::Stop => None,
-        FlatLanding::Smooth(side) => smooth(contacts, options, at, side.sign(landing)),
-        FlatLanding::Housner => Some(after_collision(contacts, at, None)),
-        FlatLanding::Restitution(factor) => Some(after_collision(contacts, at, Some(factor))),
-    }
-}
-
-/// The coordinates after a collision on the flat base, with the lost energy, where φ̇ is multiplied by `factor` or by that
-/// of a plastic collision.
-fn after_collision(contacts: &Contacts, at: &Instant, factor: Option<f64>) -> Coordinates<f64> {
-    let k = contacts.parameters();
-    let rolls = at.phase == Phase::Rolling;
-    let factor = factor.unwrap_or_else(|| plastic_factor(k, rolls));
-    let velocity = contacts.dynamics(at.phase).center_velocity(at);
-    let u = rocked_over(k, at, factor, (!rolls).then_some(velocity));
-    with_loss(contacts, at, at.phase, u)
 }
 
 /// The factor of φ̇ in a plastic collision of a rim that rolls or slides.
@@ -165,49 +126,4 @@ pub(super) fn rocked_over<T: Scalar>(
         slip_y: -vy - rolling_y,
         ..u
     }
-}
-
-/// `u` with the energy that it has less than `at` added to the loss in impacts.
-pub(super) fn with_loss(
-    contacts: &Contacts,
-    at: &Instant,
-    phase: Phase,
-    u: Coordinates<f64>,
-) -> Coordinates<f64> {
-    let before = contacts.dynamics(at.phase).energy(at).total();
-    let after = contacts.dynamics(phase).energy(&u).total();
-    Coordinates {
-        impact_loss: u.impact_loss + (before - after),
-        ..u
-    }
-}
-
-/// The body after a near-collision in the limit of vanishing sideways motion.
-fn smooth(
-    contacts: &Arc<Contacts>,
-    options: &Options,
-    at: &Instant,
-    side: f64,
-) -> Option<Coordinates<f64>> {
-    // The turn is off by as much, in radians.
-    const SIDEWAYS: f64 = 1e-9;
-    let sideways = SIDEWAYS * at.p.abs();
-    let start = Coordinates {
-        sin: 0.0,
-        cos: 1.0,
-        w: side * sideways,
-        ..at.u
-    };
-    let contacts = Arc::new(contacts.without_resistance());
-    let (trajectory, status) = pass_near_collision(&contacts, start, sideways, options);
-    let end = trajectory.end();
-    let is_same = |a: f64, b: f64| (a - b).abs() < 1e3 * sideways;
-    let s = if is_same(end.s, at.s) { at.s } else { end.s };
-    (status == Status::Finished).then_some(Coordinates {
-        sin: UPLIFT_TILT,
-        cos: 1.0,
-        w: 0.0,
-        s,
-        ..end.u
-    })
 }

@@ -15,7 +15,7 @@
 mod equations;
 mod steps;
 
-pub(super) use equations::{LevelEquations, LevelMotion, PLACES};
+pub(super) use equations::{FLAT_TILT, LevelEquations, LevelMotion, PLACES, UPLIFT_TILT};
 
 use super::contacts::Contacts;
 use super::instant::{Instant, Phase};

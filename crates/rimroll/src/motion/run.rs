@@ -1,6 +1,7 @@
 //! The phases of a motion, one after another.
 
 mod corner_approach;
+mod flat_landing;
 mod level_phases;
 #[cfg(feature = "ground")]
 mod sample_to_sample;

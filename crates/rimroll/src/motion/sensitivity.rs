@@ -16,9 +16,11 @@
 mod collocated;
 mod on_moving_table;
 mod saltation;
+mod shaken_slope;
 mod variation;
 
-pub use on_moving_table::{SHAKEN_PARAMETERS, ShakenSensitivity, ShakenSlope};
+pub use on_moving_table::ShakenSensitivity;
+pub use shaken_slope::{SHAKEN_PARAMETERS, ShakenSlope};
 
 use self::saltation::refused;
 use super::Motion;

@@ -12,11 +12,10 @@
 //! collocation, with Newton's method for δ and fixed-point iteration for everything else. Explicit steps
 //! take over as soon as the equations are not stiff for them.
 
-use super::contacts::rotated;
 use super::phase_system::PhaseSystem;
 use crate::error_scale::direction_scale;
 use crate::law::DryDynamics;
-use crate::slip_onset::{SAFETY, along_and_across, growth, next_step, until_stop};
+use crate::slip_onset::{SAFETY, along_and_across, growth, next_step, rotated, until_stop};
 use crate::solve::{Collocation, Dense, POINTS, solved};
 use crate::state::{COORDINATES, Coordinates};
 

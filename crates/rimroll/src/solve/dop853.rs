@@ -5,8 +5,8 @@
 //! II.6 and II.10. The method suits smooth systems at tolerances from 1e-5 down to rounding.
 
 #[cfg(target_arch = "x86_64")]
-use super::stage_sums::Avx;
-use super::stage_sums::{Scalar, StageSums};
+use super::stage_sums::AvxSums;
+use super::stage_sums::{ScalarSums, StageSums};
 use super::tableau::{DENSE, ERROR_3, ERROR_5, EXTRA_STAGES, Row, SOLUTION, STAGES};
 use super::{Dense, ErrorEstimate, System};
 #[cfg(target_arch = "x86_64")]
@@ -85,7 +85,7 @@ impl<T: Real, const N: usize> Step<T, N> {
 
     #[inline(always)]
     fn take_anywhere<S: System<T, N>>(system: &S, start: &[T; N], h: T) -> Self {
-        let with = Scalar {
+        let with = ScalarSums {
             ignorable: S::IGNORABLE,
         };
         let mut step = Step::empty(start, &system.rates(start));
@@ -230,7 +230,7 @@ fn in_registers<const N: usize, K: Kernel<N>>(kernel: K) -> K::Output {
     if let Some(proof) = Avx2::detect() {
         return proof.call(InAvx(kernel, proof));
     }
-    kernel.with(Scalar {
+    kernel.with(ScalarSums {
         ignorable: K::IGNORABLE,
     })
 }
@@ -245,7 +245,7 @@ impl<K: Kernel<N>, const N: usize> Task for InAvx<K, N> {
 
     #[inline(always)]
     fn call(self) -> K::Output {
-        self.0.with(Avx::new(self.1, K::IGNORABLE))
+        self.0.with(AvxSums::new(self.1, K::IGNORABLE))
     }
 }
 
@@ -307,7 +307,7 @@ impl<const N: usize> Step<f64, N> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Scalar, Step, System};
+    use super::{ScalarSums, Step, System};
 
     /// A chain of `N` − 2 coupled oscillators with two ignorable components.
     struct Chain<const N: usize>;
@@ -345,7 +345,7 @@ mod tests {
         let chain = Chain::<N>;
         let start: [f64; N] =
             core::array::from_fn(|i| 0.3 + 0.1 * i as f64 - 0.02 * (i * i) as f64);
-        let ignorable = Scalar {
+        let ignorable = ScalarSums {
             ignorable: Chain::<N>::IGNORABLE,
         };
         for h in [1e-3, 0.07, 0.3] {

@@ -17,14 +17,14 @@ pub(super) trait StageSums<T, const N: usize>: Copy {
     fn store_rates(self, place: &mut [T; N], rates: &[T; N]);
 }
 
-/// Scalar operations, for any number type on any processor.
+/// ScalarSums operations, for any number type on any processor.
 #[derive(Clone, Copy)]
-pub(super) struct Scalar {
+pub(super) struct ScalarSums {
     /// The number of leading ignorable components.
     pub ignorable: usize,
 }
 
-impl<T: Real, const N: usize> StageSums<T, N> for Scalar {
+impl<T: Real, const N: usize> StageSums<T, N> for ScalarSums {
     #[inline(always)]
     fn add(self, sum: &mut [T; N], weight: T, stage: &[T; N]) {
         for i in self.ignorable..N {
@@ -46,11 +46,11 @@ impl<T: Real, const N: usize> StageSums<T, N> for Scalar {
 }
 
 #[cfg(target_arch = "x86_64")]
-pub(super) use wide::Avx;
+pub(super) use wide::AvxSums;
 
 #[cfg(target_arch = "x86_64")]
 mod wide {
-    use super::{Scalar, StageSums};
+    use super::{ScalarSums, StageSums};
     use crate::real::Avx2;
     use core::arch::x86_64::{
         _mm_add_pd, _mm_loadu_pd, _mm_mul_pd, _mm_set_pd, _mm_set1_pd, _mm_storeu_pd,
@@ -64,15 +64,15 @@ mod wide {
     /// the rates depend most come first. Compilers store the rates one by one, and a wide load of them has
     /// to wait until all these stores have reached memory.
     #[derive(Clone, Copy)]
-    pub struct Avx {
+    pub struct AvxSums {
         ignorable: usize,
         _proof: Avx2,
     }
 
-    impl Avx {
-        /// StageSums for a state with `ignorable` leading ignorable components. A processor with AVX2 has AVX.
+    impl AvxSums {
+        /// The operations for a state with `ignorable` leading ignorable components. A processor with AVX2 has AVX.
         pub fn new(proof: Avx2, ignorable: usize) -> Self {
-            Avx {
+            AvxSums {
                 ignorable,
                 _proof: proof,
             }
@@ -82,7 +82,7 @@ mod wide {
     /// The number of components that are taken in pairs.
     const IN_PAIRS: usize = 4;
 
-    impl<const N: usize> StageSums<f64, N> for Avx {
+    impl<const N: usize> StageSums<f64, N> for AvxSums {
         #[inline(always)]
         fn add(self, sum: &mut [f64; N], weight: f64, stage: &[f64; N]) {
             let (sum, stage) = (&mut sum[self.ignorable..], &stage[self.ignorable..]);
@@ -104,7 +104,7 @@ mod wide {
             let (sum_fours, sum) = sum.as_chunks_mut::<4>();
             let (stage_fours, stage) = stage.as_chunks::<4>();
             for (sum, stage) in sum_fours.iter_mut().zip(stage_fours) {
-                // SAFETY: the chunks have four numbers, and a value of `Avx` exists only where the processor has AVX.
+                // SAFETY: the chunks have four numbers, and a value of `AvxSums` exists only where the processor has AVX.
                 unsafe {
                     let stage = _mm256_loadu_pd(stage.as_ptr());
                     let part = _mm256_mul_pd(_mm256_set1_pd(weight), stage);
@@ -121,7 +121,7 @@ mod wide {
         #[inline(always)]
         fn add_ignorable(self, sum: &mut [f64; N], weight: f64, stage: &[f64; N]) {
             let ignorable = self.ignorable;
-            Scalar { ignorable }.add_ignorable(sum, weight, stage);
+            ScalarSums { ignorable }.add_ignorable(sum, weight, stage);
         }
 
         #[inline(always)]

@@ -4,12 +4,19 @@
 
 use crate::ground::Stretch;
 use crate::law::{Dynamics, Parameters};
-use crate::motion::flat_landing::UPLIFT_TILT;
 use crate::motion::instant::Phase;
 use crate::motion::phase_dynamics::PhaseDynamics;
 use crate::real::Scalar;
 use crate::solve::System;
 use crate::state::{Coordinates, TIME};
+
+/// The tilt at which rocking begins, rad. It is so small that the error is below rounding. It is not zero, because with
+/// dt = sin φ dτ no time passes there.
+pub(in crate::motion) const UPLIFT_TILT: f64 = 1e-15;
+
+/// The tilt at which a base that falls on a table that moves is flat, rad. Rounding in the components of the table's
+/// acceleration makes planar motions deviate by as much. A body that begins to rock is flatter than that.
+pub(in crate::motion) const FLAT_TILT: f64 = 1e-13;
 
 /// The number of coordinates that change while a level base slides or flies.
 pub(in crate::motion) const LEVEL: usize = 9;

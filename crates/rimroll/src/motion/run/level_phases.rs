@@ -1,9 +1,9 @@
 //! The phases in which the base is level, and what leads to them and from them.
 
+use super::flat_landing::{landed, with_loss};
 use super::{AfterEvent, MAX_EMPTY_PHASES, PhaseEnd, PhaseStart, Run};
 use crate::ending::Status;
 use crate::motion::event::EventKind;
-use crate::motion::flat_landing::{landed, with_loss};
 use crate::motion::instant::{Instant, Phase};
 use crate::motion::level_base::LevelMotion;
 use crate::motion::level_base::{Departure, LevelBase, levelled};

@@ -11,7 +11,7 @@
 //! laws. At the onset of a slip the direction of friction changes with the slip at a rate that grows without bound; the
 //! first point of the method is inside the step, and the polynomial is the one solution that stays regular.
 
-use super::on_moving_table::Number;
+use super::shaken_slope::Number;
 use crate::motion::step_record::Polynomial;
 use crate::real::{Dual, Slopes};
 use crate::solve::{Collocation, POINTS, RADAU};

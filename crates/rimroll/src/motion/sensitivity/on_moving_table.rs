@@ -1,6 +1,7 @@
 //! The derivatives of a motion on a table that moves.
 
 use super::saltation::{Saltation, refused, tilt_from};
+use super::shaken_slope::{Number, SHAKEN_PARAMETERS, ShakenSlope, all_or_none, without};
 use super::variation::{Variation, ends_at_corner, rates};
 use super::{
     CoordinatesAndRates, PARAMETERS, STEPS_BETWEEN_REPORTS, parameter, start, state_slopes,
@@ -13,26 +14,8 @@ use crate::motion::Motion;
 use crate::motion::instant::Phase;
 use crate::motion::shaken::{footprint, largest_tilt};
 use crate::motion::step_record::StepRecord;
-use crate::real::{Dual, Slopes};
 use crate::state::{Coordinates, TIME};
 use core::ops::ControlFlow;
-
-/// The parameters of a motion on a table that moves, in the order of [`ShakenSlope`]: [`PARAMETERS`], and the factor s on
-/// the acceleration s a(t) of the table, at s = 1.
-pub const SHAKEN_PARAMETERS: [&str; PARAMETERS.len() + 1] = {
-    let mut names = ["ground_scale"; PARAMETERS.len() + 1];
-    let mut i = 0;
-    while i < PARAMETERS.len() {
-        names[i] = PARAMETERS[i];
-        i += 1;
-    }
-    names
-};
-
-/// The derivatives with respect to each of [`SHAKEN_PARAMETERS`]; NaN where there is none.
-pub type ShakenSlope = [f64; SHAKEN_PARAMETERS.len()];
-
-pub(super) type Number = Dual<Slopes<{ SHAKEN_PARAMETERS.len() }>>;
 
 /// The derivatives of a motion on a table that moves.
 ///
@@ -239,26 +222,6 @@ impl ShakenSensitivity {
         let [from, to] = [&self.start, &self.end].map(|u| u.yaw + u.spin);
         (to - from).slope.0
     }
-}
-
-/// The coordinates without derivatives (NaN) by those parameters by which some coordinate has none.
-fn all_or_none(u: &Coordinates<Number>) -> Coordinates<Number> {
-    let all = u.into_array();
-    let is_undefined = |i: usize| all.iter().any(|dual| dual.slope.0[i].is_nan());
-    without(u, core::array::from_fn(is_undefined))
-}
-
-/// The coordinates without derivatives (NaN) by some parameters.
-pub(super) fn without(
-    u: &Coordinates<Number>,
-    undefined: [bool; SHAKEN_PARAMETERS.len()],
-) -> Coordinates<Number> {
-    Coordinates::from_array(&u.into_array().map(|mut dual| {
-        for (slope, undefined) in dual.slope.0.iter_mut().zip(undefined) {
-            *slope = if undefined { f64::NAN } else { *slope };
-        }
-        dual
-    }))
 }
 
 /// The coordinates at the start.

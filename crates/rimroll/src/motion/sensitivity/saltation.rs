@@ -17,7 +17,7 @@
 //! * Where the base comes down flat at once, a parameter that takes the motion out of its plane has no
 //!   derivative: beside the plane, the contact point runs round the rim instead.
 
-use super::on_moving_table::{Number, SHAKEN_PARAMETERS, ShakenSlope, without};
+use super::shaken_slope::{Number, SHAKEN_PARAMETERS, ShakenSlope, without};
 use super::variation::Variation;
 use super::{values, with_values};
 use crate::error::InvalidInput;
@@ -26,11 +26,9 @@ use crate::impact;
 use crate::law::{Dynamics, FrictionLaw, IdealLaw};
 use crate::motion::Motion;
 use crate::motion::contacts::tilting_energy_over_standing;
-use crate::motion::flat_landing::{
-    FLAT_TILT, FlatLanding, UPLIFT_TILT, plastic_factor, rocked_over,
-};
+use crate::motion::flat_landing::{FlatLanding, plastic_factor, rocked_over};
 use crate::motion::instant::Phase;
-use crate::motion::level_base::levelled;
+use crate::motion::level_base::{FLAT_TILT, UPLIFT_TILT, levelled};
 use crate::motion::step_record::StepRecord;
 use crate::real::{Real, Scalar};
 use crate::state::{Coordinates, TIME};

@@ -1,7 +1,7 @@
 //! Phases of a motion, repeated in dual numbers.
 
 use super::collocated::Linearised;
-use super::on_moving_table::Number;
+use super::shaken_slope::Number;
 use super::{CoordinatesAndRates, values};
 use crate::law::Parameters;
 use crate::motion::contacts::Contacts;

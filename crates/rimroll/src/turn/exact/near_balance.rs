@@ -11,10 +11,10 @@
 
 use super::antiderivative::Antiderivative;
 use super::balance_passage::Balance;
-use super::scalar::Scalar;
 use super::start::Start;
 use super::tilt_equation::{Conserved, Point, ROUNDING, TiltEquation, sin_and_versine};
 use crate::law::Parameters;
+use crate::real::Scalar;
 
 /// Distance in η from the balance point within which a start can linger there.
 const NEAR: f64 = 1.0;

@@ -13,25 +13,7 @@ use super::tilt_equation::{FLAT, SHORT, TiltEquation};
 use super::tilt_extremes::{Extreme, highest, lowest};
 use crate::law::Parameters;
 use crate::motion::Outcome;
-use crate::real::{Dual, Real, Slope};
-
-/// A number type with one value, so that it can be used in branches, unlike SIMD lanes.
-pub(super) trait Scalar: Real {
-    /// The value, without derivatives.
-    fn value(self) -> f64;
-}
-
-impl Scalar for f64 {
-    fn value(self) -> f64 {
-        self
-    }
-}
-
-impl<S: Slope> Scalar for Dual<S> {
-    fn value(self) -> f64 {
-        self.value
-    }
-}
+use crate::real::Scalar;
 
 impl<T: Scalar> Segment<T> {
     fn values(&self) -> Segment<f64> {

@@ -1,0 +1,83 @@
+//! The motion after the whole base of a body has come down flat at once.
+
+use super::pass_near_collision;
+use crate::ending::Status;
+use crate::motion::contacts::Contacts;
+use crate::motion::flat_landing::{FlatLanding, plastic_factor, rocked_over};
+use crate::motion::instant::{Instant, Phase};
+use crate::motion::level_base::UPLIFT_TILT;
+use crate::motion::options::Options;
+use crate::state::Coordinates;
+use std::sync::Arc;
+
+/// The coordinates after the base of a body at `at` has come down flat; `None` where the motion ends. This is the
+/// landing number `landing` of the motion.
+pub(super) fn landed(
+    contacts: &Arc<Contacts>,
+    options: &Options,
+    at: &Instant,
+    landing: u64,
+) -> Option<Coordinates<f64>> {
+    match options.flat {
+        FlatLanding::Stop => None,
+        FlatLanding::Smooth(side) => smooth(contacts, options, at, side.sign(landing)),
+        FlatLanding::Housner => Some(after_collision(contacts, at, None)),
+        FlatLanding::Restitution(factor) => Some(after_collision(contacts, at, Some(factor))),
+    }
+}
+
+/// The coordinates after a collision on the flat base, with the lost energy, where φ̇ is multiplied by `factor` or by that
+/// of a plastic collision.
+fn after_collision(contacts: &Contacts, at: &Instant, factor: Option<f64>) -> Coordinates<f64> {
+    let k = contacts.parameters();
+    let rolls = at.phase == Phase::Rolling;
+    let factor = factor.unwrap_or_else(|| plastic_factor(k, rolls));
+    let velocity = contacts.dynamics(at.phase).center_velocity(at);
+    let u = rocked_over(k, at, factor, (!rolls).then_some(velocity));
+    with_loss(contacts, at, at.phase, u)
+}
+
+/// `u` with the energy that it has less than `at` added to the loss in impacts.
+pub(super) fn with_loss(
+    contacts: &Contacts,
+    at: &Instant,
+    phase: Phase,
+    u: Coordinates<f64>,
+) -> Coordinates<f64> {
+    let before = contacts.dynamics(at.phase).energy(at).total();
+    let after = contacts.dynamics(phase).energy(&u).total();
+    Coordinates {
+        impact_loss: u.impact_loss + (before - after),
+        ..u
+    }
+}
+
+/// The body after a near-collision in the limit of vanishing sideways motion.
+fn smooth(
+    contacts: &Arc<Contacts>,
+    options: &Options,
+    at: &Instant,
+    side: f64,
+) -> Option<Coordinates<f64>> {
+    // The turn is off by as much, in radians.
+    const SIDEWAYS: f64 = 1e-9;
+    let sideways = SIDEWAYS * at.p.abs();
+    let start = Coordinates {
+        sin: 0.0,
+        cos: 1.0,
+        w: side * sideways,
+        ..at.u
+    };
+    let contacts = Arc::new(contacts.without_resistance());
+    let (trajectory, status) = pass_near_collision(&contacts, start, sideways, options);
+    let end = trajectory.end();
+    let is_same = |a: f64, b: f64| (a - b).abs() < 1e3 * sideways;
+    let s = if is_same(end.s, at.s) { at.s } else { end.s };
+    (status == Status::Finished).then_some(Coordinates {
+        sin: UPLIFT_TILT,
+        cos: 1.0,
+        w: 0.0,
+        s,
+        ..end.u
+    })
+}
