@@ -1,11 +1,11 @@
-"""How often do the intervals of rr.filmed.fit_track hold the truth?
+"""How often do the intervals of rr.filmed.fit_track contain the true value?
 
 Falls of the paper's can under dry friction are simulated, with the can's radius, height and moments
 of inertia wrong by 1 % at random, and filmed from above. The camera is turned at random, and its
 scale is wrong by 1 % at random. The script prints, for films of several kinds, how many tracks were
 fitted, the median error of the friction, the median width of its 95 % interval, how many of these
-intervals hold the truth, and for how many tracks those of the yaw rate and the spin rate at the
-release do. Run:
+intervals contain the true value, and for how many tracks those of the yaw rate and the spin rate at
+the release do. Run:
 
     .venv/bin/python bench/filmed_fit.py [--tracks 40] [--processes 2]
 """
@@ -99,7 +99,7 @@ class Fitted:
 
     @property
     def holds(self) -> bool:
-        """Whether the interval holds the truth."""
+        """Whether the interval contains the true value."""
         assert self.interval is not None
         low, high = self.interval
         return low <= self.truth and (high is None or self.truth <= high)

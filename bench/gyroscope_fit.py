@@ -1,11 +1,11 @@
-"""How often do the intervals of rr.fit_motion hold the truth?
+"""How often do the intervals of rr.fit_motion contain the true value?
 
 Falls of the tin of examples/can_with_phone.toml under dry friction are simulated, with the tin's
 radius, height and moments of inertia wrong by 1 % at random, and recorded by a simulated sensor.
 The script prints, for sensors of several kinds, how many records were fitted, the median error of
-the friction, the median width of its 95 % interval, how many of these intervals hold the truth,
-how many of those of the yaw rate and the spin rate at the release, how often rolling without slip
-and sliding without friction are both excluded, and how many excluded laws were the truth. Run:
+the friction, the median width of its 95 % interval, how many of these intervals contain the true
+value, how many of those of the yaw rate and the spin rate at the release, how often rolling without
+slip and sliding without friction are both excluded, and how many excluded laws were the truth. Run:
 
     .venv/bin/python bench/gyroscope_fit.py [--records 24] [--processes 2]
 """
@@ -65,7 +65,7 @@ class Fitted:
 
     @property
     def holds(self) -> bool:
-        """Whether the interval holds the truth."""
+        """Whether the interval contains the true value."""
         assert self.interval is not None
         low, high = self.interval
         return low <= self.truth and (high is None or self.truth <= high)

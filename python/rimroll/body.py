@@ -52,7 +52,7 @@ class Body:
     ------
     RimrollError
         A number that is not finite; m, R, A or C ≤ 0; H < 0; C > 2A, which no rigid body has;
-        arrays that are empty or do not broadcast. Of an array the message names the element,
+        arrays that are empty or do not broadcast. For an array the message names the element,
         ``height[3]``.
     """
 

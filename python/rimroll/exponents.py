@@ -173,7 +173,7 @@ class _Fit:
         return float(np.square(self._residuals(log_end, exponent)).sum())
 
     def _residuals(self, log_end: float, exponent: float) -> Array:
-        """Those of the best power law with an end and an exponent."""
+        """The sums of squares of the best power laws with given ends and exponents."""
         x = self._log_left(log_end)
         residuals: Array = self.from_mean - exponent * (x - x.mean())
         return residuals

@@ -72,7 +72,7 @@ def imperfect_rim(body: Body, angle: Number, law: Law, tipping_rate: Number = 1.
 
     Source: the paper's "Candidate theories for symmetry breaking" names this theory and rejects it
     without computing it: the outcome depends on where the imperfection is. (The other theory named
-    there is the whole base slapping the table at once, which no rigid-body law decides.)
+    there is the whole base slapping the table at once, which no rigid-body law determines.)
 
     Parameters
     ----------

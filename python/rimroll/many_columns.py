@@ -26,7 +26,7 @@ LOSSES: dict[str, Meaning] = {
         "energy lost to rolling resistance, pivoting friction and air",
     ),
 }
-"""The losses of energy, but for that in impacts."""
+"""The losses of energy, except for that in impacts."""
 
 
 BLOCK = 1024

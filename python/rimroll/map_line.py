@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from rimroll.body import body_of
 from rimroll.falls import Falls
 from rimroll.laws import IDEAL, law_of
+from rimroll.left_or_right import goes_left, halved, watershed_slope
 from rimroll.many_falls import OPTIONS, fell
 from rimroll.options import Options
-from rimroll.left_or_right import goes_left, halved, watershed_slope
 from rimroll.state import State
 
 if TYPE_CHECKING:

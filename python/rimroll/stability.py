@@ -88,8 +88,8 @@ def growth_rates(
     laws that allow slip, L also contains the slip, which is neither given at the start nor
     observed. So L follows from M at equal steps by the eigensystem realization algorithm (J.-N.
     Juang and R. S. Pappa, J. Guidance 8, 1985): the Hankel matrix of M, reduced to its range, and
-    the same one step later. Under dry friction a rim that sticks with friction to spare also sticks
-    in small disturbances, and the rates are those without slip.
+    the same one step later. Under dry friction a rim that sticks with a margin of friction also
+    sticks in small disturbances, and the rates are those without slip.
     """
     one_body(body)
     expect("start", start, State)

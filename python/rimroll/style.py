@@ -112,7 +112,7 @@ def page(height: float, width: float = PAGE_WIDTH) -> Figure:
 
 
 def settle(figure: Figure) -> Figure:
-    """Lay a page out now and for good, so that saving it to several files does not do it again."""
+    """Lay a page out once, so that saving it to several files does not do it again."""
     engine = figure.get_layout_engine()
     if engine is not None:
         engine.execute(figure)

@@ -116,7 +116,7 @@ def text_of(name: str, source: Source) -> str:
     try:
         if isinstance(source, str | os.PathLike):
             with Path(source).open("rb") as stream:
-                read = stream.read(MOST_BYTES + 1)  # of a pipe, too, which tells no size
+                read = stream.read(MOST_BYTES + 1)  # also of a pipe, whose size is unknown
         else:
             read = source.read(MOST_BYTES + 1)
     except (OSError, ValueError) as error:  # ValueError: of a path with a NUL in it

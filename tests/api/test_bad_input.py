@@ -231,7 +231,7 @@ def body(**changed):
         ("turn --air-drag -1", "--air-drag must be >= 0, got -1 W (s/rad)^exponent"),
         ("turn --air-drag 1m", '"m" does not measure a coefficient of air drag'),
         ("turn --air-drag 1e-9 --air-exponent 9", "--air-exponent must be between 1.5 and 8"),
-        ("turn --air-exponent 4", "--air-exponent goes with --air-drag"),
+        ("turn --air-exponent 4", "--air-exponent needs --air-drag"),
         ("turn --air-drag film --air-exponent 4", "leave out --air-exponent"),
         ("compare --on woof", "unknown surface 'woof': did you mean 'wood'?"),
         ("compare --on ice,,wood", "--on must be a list such as ice,wood,0.5, got a gap"),

@@ -730,7 +730,7 @@ def test_parameters_at_their_bounds_are_reported(predicted):
     directions, _ = fallen(rr.Coulomb(0.2), 42, 1, release=RELEASE)
     stray = np.append(directions, math.radians(60.0))
     doubts = rr.fit(CAN, stray, predicted=predicted).warnings
-    assert "far from both humps, and taken for slips of the pen: 60 degrees" in doubts
+    assert "far from both humps, and taken for writing errors: 60 degrees" in doubts
     left = directions[directions > math.pi]
     doubts = rr.fit(CAN, left, predicted=predicted).warnings
     assert doubts[0].startswith("too few falls to one side")
@@ -775,7 +775,7 @@ def test_the_summary_of_the_falls_leaves_out_what_the_fit_takes_for_slips_of_the
     text = " ".join(capsys.readouterr().out.split())
     assert f"43 falls: {len(left)} to the left at {np.mean(left):.1f}°" in text
     assert f"{len(right)} to the right at {np.mean(right):.1f}°" in text
-    assert "1 left out as a slip of the pen" in text
+    assert "1 left out as a writing error" in text
     assert main([*command, "--json"]) == 0
     answer = json.loads(capsys.readouterr().out)
     assert answer["falls"] == 43

@@ -393,7 +393,7 @@ REFUSED = [
     (without(across_period="0.6 s"), r"^across_period.*0.6 s.*0.7082 s \(C = 0\).*\(C = 2A\)"),
     (without(across_period="0.9 s"), r"^across_period.*0.9 s.*between"),
     (without(across_period="0.73 s", across_pivot="nail"), r"unknown across_pivot 'nail'"),
-    (without(across_pivot="point"), r"^across_pivot goes with across_swings"),
+    (without(across_pivot="point"), r"^across_pivot needs across_swings"),
     (
         without(slope_length="1 m", slope_height="10 cm", slope_time="1 s"),
         r"^slope_time: 1 s down this slope, but even sliding without friction takes 1.428 s",
@@ -418,7 +418,7 @@ REFUSED = [
         without(
             "swings", "swings_time", rocking_tilt=0.3, rocking_time=1.0, swing_amplitude="5 deg"
         ),
-        r"^swing_amplitude goes with swings",
+        r"^swing_amplitude needs swings",
     ),
     (
         without("swings", "swings_time", swing_period="0.6 s"),

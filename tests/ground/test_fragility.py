@@ -100,7 +100,7 @@ def thresholds(records: int, points: int, beta: float, seed: int) -> tuple[np.nd
 
 
 def held(records: int, points: int, repeats: int) -> np.ndarray:
-    """How often the intervals of the median, the dispersion and a probability hold the truth."""
+    """How often intervals of the median, the dispersion and a probability contain the truth."""
     record, hits = np.arange(records)[:, np.newaxis], []
     for seed in range(repeats):
         curve = rr.fragility(*thresholds(records, points, 0.4, 5000 + seed), records=record)

@@ -280,7 +280,7 @@ def test_a_body_flicked_too_fast_to_come_from_a_top_is_approximated_from_its_rel
 @pytest.mark.parametrize(
     ("changed", "complaint"),
     [
-        ({"yaw_rate": 0.0, "spin_rate": 0.0}, "with no yaw rate and spin rate to speak of"),
+        ({"yaw_rate": 0.0, "spin_rate": 0.0}, "with hardly any yaw rate and spin rate"),
         ({"tilt_rate": 5.0}, "its plane pendulum does not come down: toppled"),
         ({"tilt_rate": -11.0}, "its plane pendulum does not come down: lifted off"),
     ],

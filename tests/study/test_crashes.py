@@ -21,7 +21,7 @@ from given.small_study import (
     written,
 )
 from rimroll.errors import RimrollError
-from rimroll.study.storage import StoreError, told
+from rimroll.study.storage import StoreError, as_store_errors
 from rimroll.study.verify import verify
 
 pytestmark = needs_signals
@@ -160,7 +160,7 @@ def test_where_no_room_is_left_a_run_ends_in_one_line_and_can_be_continued(file,
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no device that is always full")
 def test_a_full_disk_is_named(tmp_path):
-    with pytest.raises(StoreError, match="no room is left"), told(tmp_path):
+    with pytest.raises(StoreError, match="no room is left"), as_store_errors(tmp_path):
         Path("/dev/full").write_bytes(b"x")
 
 

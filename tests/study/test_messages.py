@@ -97,13 +97,13 @@ WRONG = [
     (
         {"law": {"kind": "coulomb", "friction": 0.2, "air_drag": {"coefficient": "film"}}}
         | {"axes": {"simulation.gravity": [9.8, 1.6]}},
-        '[law.air_drag] coefficient "film" goes with a single body and gravity: simulation.gravity',
+        '[law.air_drag] coefficient "film" needs a single body and gravity: simulation.gravity',
     ),
     (
         {"law": {"kind": "coulomb", "friction": 0.2, "air_drag": {"coefficient": "film"}}}
         | {"random": {"body.radius": {"distribution": "normal", "mean": 1, "spread": 0}}}
         | {"trials": 2},
-        "goes with a single body and gravity: body.radius varies",
+        "needs a single body and gravity: body.radius varies",
     ),
     ({"axes": {"my friction": {"of": "law.friction", "values": [1]}}}, "name 'my friction' must"),
     ({"axes": {"a/b": {"of": "law.friction", "values": [1]}}}, "name 'a/b' must consist of"),

@@ -102,7 +102,7 @@ pub fn composite(
     let tipping_rate = -end.p;
     let l = end.w * end.sin / INFINITESIMAL;
     if l == 0.0 {
-        let why = "with no yaw rate and spin rate to speak of it falls face down";
+        let why = "with hardly any yaw rate and spin rate it falls face down";
         return Err(InvalidInput::no_near_collision(why, None));
     }
     let stretch = NearCollision::new(body, law, 1.0, tipping_rate, l.signum())?.stretch;

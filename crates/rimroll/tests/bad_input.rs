@@ -485,7 +485,7 @@ fn a_composite_approximation_needs_a_near_collision() {
     };
     assert_eq!(
         refused(&still),
-        "this start has no near-collision: with no yaw rate and spin rate to speak of it falls face down"
+        "this start has no near-collision: with hardly any yaw rate and spin rate it falls face down"
     );
     let past_balance = State {
         tilt: 0.7,

@@ -35,7 +35,7 @@ def animate(
     second (at most 50 in a .gif), ``seconds`` the length of the film if it is to be fixed, ``view``
     "perspective", "side", "top" or a camera, and ``size`` the picture in pixels. With
     ``slow_collision`` the film slows down while the contact point runs round the rim, and says how
-    much; it does unless told otherwise. ``body`` replaces the motion's own, to give it a profile.
+    much; this is the default. ``body`` replaces the motion's own, to give it a profile.
     ``progress`` is called with pictures done and pictures to do.
 
     The film of a motion on a table that moves runs in real time and is not slowed, unless ``speed``
@@ -44,7 +44,7 @@ def animate(
     below, with the present moment marked. The table's place is :meth:`rimroll.Ground.displacement`;
     where this exceeds four times the body's radius and height, as in a record that drifts
     (:meth:`rimroll.Ground.detrended` corrects the baseline) or after a pulse that leaves the table
-    with a velocity, the eye goes with the table, and the film says so.
+    with a velocity, the eye moves with the table, and the film says so.
 
     The file appears under its name only when it is whole. Raises ``RimrollError`` for an unknown
     suffix or view, for numbers out of range, and for .mp4 where there is no ffmpeg.

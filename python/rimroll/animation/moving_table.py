@@ -11,13 +11,13 @@ from rimroll.ground.ground import Ground
 from rimroll.scene import Array, Camera, RoundBody
 
 FAR = 4.0
-"""Sizes of the body (radius and height) by which a table may move before the eye goes with it."""
+"""The eye moves with a table that moves by more than this many sizes (R + H) of the body."""
 
 LINES = 3
 """The plate has about this many lines of its grid from its middle to its edge."""
 
 THICKNESS = 0.07
-"""That of the plate, in half its length."""
+"""The thickness of the plate, as a fraction of half its length."""
 
 FRONT, LINE = "#c3c8cc", "#b4babf"
 """The colours of the plate's sides and of its grid."""
@@ -61,7 +61,7 @@ class MovingTable:
 
     @property
     def is_seen_from_itself(self) -> bool:
-        """Whether the pictures are those of an eye that goes with the table."""
+        """Whether the eye that sees the pictures moves with the table."""
         return self.farthest > 0.0 and not self.moved.any()
 
     def corners(self) -> Array:

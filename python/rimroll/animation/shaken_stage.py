@@ -20,7 +20,7 @@ STRIP = 0.24
 """The part of the picture's height that the record takes."""
 
 MIN_HEIGHT = round(4.5 * POINT * LABEL)
-"""The least height of the record, pixels."""
+"""The smallest height of the record, pixels."""
 
 MARK_WIDTH, GRID_WIDTH = 1.2, 0.6  # points
 
@@ -31,7 +31,7 @@ class ShakenStage(Stage):
     The eye is at rest. The table's plate with its grid, the body and its trail move over a dashed
     outline that stays where the plate was at t = 0. What is on the table is painted in the frame of
     the table, as seen by an eye that moves the other way. A table that moves far away, as that of a
-    record whose baseline was not corrected, is shown by an eye that goes with it.
+    record whose baseline was not corrected, is shown by an eye that moves with it.
     """
 
     def __init__(

@@ -118,8 +118,8 @@ def lab(
     RimrollError
         A law that the lab does not have: it has ``NoSlip``, ``Frictionless`` and ``Coulomb`` with
         one coefficient, each with dry rolling resistance. A ground that is not one pulse, the same
-        in all components but for its amplitude: the lab has no records. A ``flat`` with a seed or a
-        restitution. A start that stands flat without a ground. Many bodies, starts or laws; a
+        in all components except for its amplitude: the lab has no records. A ``flat`` with a seed
+        or a restitution. A start that stands flat without a ground. Many bodies, starts or laws; a
         number outside the lab's bounds, such as a tilt of 90°; a page that is not built; a browser
         that does not open.
     """

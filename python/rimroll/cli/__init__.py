@@ -1,7 +1,7 @@
 """The command line: ``rimroll turn``, ``simulate``, ``topple``, ``fit`` and more.
 
 What is loaded when: nothing here; typer for help; numpy, rich and its own module for a command;
-pint, pydantic, xarray and matplotlib only by what needs them, so that short answers come at once.
+pint, pydantic, xarray and matplotlib only by what needs them, so that short answers come quickly.
 """
 
 from __future__ import annotations

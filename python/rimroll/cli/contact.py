@@ -176,7 +176,7 @@ def _air(options: ResistanceOptions, body: Body, gravity: float) -> AirDrag | No
     exponent = AirDrag.exponent
     if options.air_exponent is not None:
         if options.air_drag is None:
-            raise RimrollError("--air-exponent goes with --air-drag")
+            raise RimrollError("--air-exponent needs --air-drag")
         exponent = quantity(options.air_exponent, "1", "--air-exponent")
     if options.air_drag is None:
         return None

@@ -43,7 +43,7 @@ class FallOptions(MotionOptions):
 def options_of_falls(given: FallOptions, read: Options) -> Options:
     """The options of many falls, with the defaults of :func:`rimroll.topple`.
 
-    ``read`` holds the values of what was given. Of a scenario file, whose accuracy is that of a
+    ``read`` holds the given values. From a scenario file, whose accuracy is that of a
     single motion, only gravity and topple tilt are used.
     """
     own = ("duration", "rtol", "max_steps")

@@ -301,7 +301,7 @@ def _shares(found: Fit) -> Iterator[str]:
 
 
 def _falls_line(found: Fit) -> str:
-    """The number and direction of falls to each side, without slips of the pen."""
+    """The number and direction of falls to each side, without writing errors."""
     parts = []
     # Without two humps there is nothing that a reading could be far from.
     left_out = found.strays if found.supported else np.zeros(len(found.directions), bool)
@@ -314,8 +314,8 @@ def _falls_line(found: Fit) -> str:
             spread = f" ± {some.std(ddof=1):.1f}°" if some.size > 1 else ""
             parts.append(f"{some.size} to the {side} at {some.mean():.1f}°{spread}")
     if count := int(left_out.sum()):
-        slips = "slips" if count > 1 else "a slip"
-        parts.append(unbroken(f"{count} left out as {slips} of the pen"))
+        mistakes = "writing errors" if count > 1 else "a writing error"
+        parts.append(unbroken(f"{count} left out as {mistakes}"))
     return f"{len(found.directions)} falls: " + ", ".join(parts)
 
 

@@ -33,8 +33,8 @@ from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
 from rimroll.falls import Falls, Interrupted
 from rimroll.laws import IDEAL
-from rimroll.many_falls import fell, outcomes
 from rimroll.left_or_right import map_falls, watershed_slope
+from rimroll.many_falls import fell, outcomes
 from rimroll.state import State
 from rimroll.theory import turn_limit
 

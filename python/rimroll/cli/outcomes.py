@@ -87,7 +87,8 @@ class Outcome:
     def energy_available(self) -> float:
         """The energy at the start, counted from the lowest potential energy of the motion, J.
 
-        That of standing upright, or less where the body comes down lower: no loss is above it.
+        This is the energy of standing upright, or less if the body comes down lower; no loss
+        exceeds it.
         """
         t = self.motion.t
         passed = self.motion.potential_energy[t <= self._until]

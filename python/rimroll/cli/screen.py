@@ -38,7 +38,7 @@ def say(*what: object) -> None:
             console.print(item)
         elif console.is_terminal:
             console.print(_list(item))
-        else:  # where nobody's screen is too narrow; a width given to print() cannot widen it
+        else:  # wider than any terminal; a width given to print() cannot widen it
             Console(width=width, highlight=False, markup=False).print(item)
 
 

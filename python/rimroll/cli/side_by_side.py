@@ -20,9 +20,9 @@ from rimroll.theory import needed_friction
 
 DASHES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1, 1)), (0, (5, 1, 1, 1)), (0, (2.5, 1)), "-.")
 
-ROCKINGS = 4  # that are drawn at most: of more, nothing could be read off
+ROCKINGS = 4  # the largest number that is drawn: more could not be read
 
-OFFERED = "#808080"  # of a line that stands for those of all tables
+OFFERED = "#808080"  # of a line that stands for the lines of all tables
 
 MAX_TABLES = len(style.SERIES)
 """The largest number of tables in one figure; more would be indistinguishable."""

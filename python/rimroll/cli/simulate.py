@@ -173,9 +173,7 @@ def _moments(motion: Motion, points: int | None, every: float | None) -> Moments
         return motion
     count = last / every
     if count >= MAX_POINTS:
-        raise RimrollError(
-            f"--every {every} s makes more than {MAX_POINTS} points in {last:.6g} s"
-        )
+        raise RimrollError(f"--every {every} s makes more than {MAX_POINTS} points in {last:.6g} s")
     return motion.evaluate(np.minimum(every * np.arange(int(count * (1.0 + 1e-12)) + 1), last))
 
 

@@ -135,7 +135,7 @@ def arrival_of(body: Body, start: State, law: Law, gravity: float) -> Arrival:
     )
     if turning > most * math.sqrt(gravity / body.radius):
         raise RimrollError(
-            f"this start has no near-collision to tell of: it turns sideways at {turning:.3g} rad/s"
+            f"this start has no near-collision: it turns sideways at {turning:.3g} rad/s"
         )
     return arrival(body, start, law, gravity)
 

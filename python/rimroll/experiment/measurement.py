@@ -241,13 +241,11 @@ class _Bench:
     def _pivot(self, across_pivot: str | None) -> str:
         swung = self.readings.way(ACROSS) is not None
         if across_pivot is not None and not swung:
-            raise RimrollError(
-                f"{self.typed('across_pivot')} goes with {self.typed('across_swings')}"
-            )
+            raise RimrollError(f"{self.typed('across_pivot')} needs {self.typed('across_swings')}")
         if not swung and self.readings.way(TRANSVERSE) == TRANSVERSE[2]:
             for name in ("swing_amplitude", "pivot_radius", "pivot_height"):
                 if name in self.readings:
-                    raise RimrollError(f"{self.typed(name)} goes with {self.typed('swings')}")
+                    raise RimrollError(f"{self.typed(name)} needs {self.typed('swings')}")
         return choose(self.typed("across_pivot"), across_pivot or "edge", PIVOTS)
 
     @cached_property

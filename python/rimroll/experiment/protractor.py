@@ -38,7 +38,7 @@ class Paper:
     ring: float
     """Radius of the ring of degrees."""
     box: tuple[float, float]
-    """Of a reading."""
+    """The size of the box for a reading."""
     type: tuple[float, int]
     """Size of the instructions' letters, points, and how many go in a line."""
 

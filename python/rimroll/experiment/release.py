@@ -223,7 +223,7 @@ def _fastest_squared(body: Body, tilt: float, gravity: float) -> float:
     over, beside = r * sin + h * cos, r * cos - h * sin  # the centre of mass, and the rim
     inertia = _rim_inertia(body)
     gained = 2.0 * m * gravity * (over[-1] - over) / inertia
-    pressing = gravity * (1.0 - m * beside**2 / inertia)  # N/m, but for −over (dφ/dt)²
+    pressing = gravity * (1.0 - m * beside**2 / inertia)  # N/m, without the term −over (dφ/dt)²
     with np.errstate(divide="ignore"):  # a disk's centre of mass comes down to the table
         return float(np.min(pressing / over - gained))
 
@@ -241,9 +241,9 @@ PRESETS = {"let_go": _let_go, "flick": _flick, "paper": _paper}
 """Releases by name, for a body under gravity.
 
 let_go: tilted to half the balance tilt and released by a steady hand; the body rocks.
-flick: flicked over from half the balance tilt, with energy to spare and an error of aim of 3
-degrees. A low, wide body that would then leave the table before it topples is flicked less hard,
-and rocks. On a table without friction a tall, thin body may rock, too.
+flick: flicked over from half the balance tilt, with more energy than it needs and an error of aim
+of 3 degrees. A low, wide body that would then leave the table before it topples is flicked less
+hard, and rocks. On a table without friction a tall, thin body may rock, too.
 paper: an estimate of the flicks of the paper, which did not control them. From 20 degrees at
 5 rad/s its can topples without lifting off; an error of aim of 6 degrees spreads the falls by
 about 4 degrees, as measured.

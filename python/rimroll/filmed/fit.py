@@ -97,9 +97,9 @@ def fit_track(
         The body with its marker.
     law
         How the rim meets the table; ``Coulomb`` unless given. Its numbers are those from which the
-        search begins, but for the friction, which is sought everywhere.
+        search begins, except for the friction, which is searched everywhere.
     marker
-        Of a path: the marker's distance from the axis and its height above the base, m.
+        For a path: the marker's distance from the axis and its height above the base, m.
     error
         The standard deviation of a position, m, or of an angle, rad: 1 mm or 1 degree unless given.
         Larger residuals widen all intervals.

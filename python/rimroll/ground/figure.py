@@ -17,7 +17,7 @@ PERIODS = np.geomspace(0.05, 5.0, 80)
 """The periods of the spectra, s."""
 
 MARKED = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)
-"""Those of them that are marked."""
+"""The periods that are marked."""
 
 AXES = tuple(zip("xyz", style.SERIES[:3], ("-", "--", "-."), strict=True))
 

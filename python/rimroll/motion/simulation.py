@@ -111,8 +111,9 @@ def simulate(
         draws other sides. ``housner``: a plastic collision with the opposite point of the rim
         (Housner 1963). A number r from 0 to 1: the tilt rate falls by this factor.
     restitution
-        Of the impacts of a body with corners, 0 (plastic) to 1 (no energy is lost in the normal
-        direction). That of a round body belongs to its law: ``Coulomb(0.3, restitution=0.5)``.
+        Restitution in the impacts of a body with corners, 0 (plastic) to 1 (no energy is lost in
+        the normal direction). That of a round body belongs to its law: ``Coulomb(0.3,
+        restitution=0.5)``.
     progress
         Called occasionally in a long motion with the time reached, s. With ``jacobian`` the
         derivatives are computed after the motion, and the times begin again at 0.

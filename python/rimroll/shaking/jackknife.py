@@ -9,8 +9,8 @@ of the curve of all n records and zᵢ that without record i, the interval is
 with t of Student's distribution with n - 1 degrees of freedom (Tukey 1958; Efron and Tibshirani, An
 Introduction to the Bootstrap, 1993, chapter 11). Its centre corrects the bias of z, which matters
 for the dispersion of few records. No random number is drawn. In simulations of 10 to 40 records at
-10 and 30 intensities it held the dispersion more often than percentiles or BCa of resampled records
-and than the sandwich of covariances, all of which were too narrow.
+10 and 30 intensities it contained the dispersion more often than percentiles or BCa of resampled
+records and than the sandwich of covariances, all of which were too narrow.
 """
 
 from __future__ import annotations

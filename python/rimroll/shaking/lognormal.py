@@ -174,8 +174,8 @@ def fragility(
     the records are independent: the intervals of ln θ and ln β are then those of the jackknife
     over the n records, with Student's t of n - 1 degrees of freedom. They do not shrink with the
     number of intensities. No random number is drawn. In simulations with a level of 0.95, records
-    with lognormal thresholds and 10 intensities, the interval of the median held the truth in 96 %
-    of the cases, that of the dispersion in 96, 92 and 94 % for 10, 20 and 40 records.
+    with lognormal thresholds and 10 intensities, the interval of the median contained the true
+    value in 96 % of the cases, that of the dispersion in 96, 92 and 94 % for 10, 20 and 40 records.
 
     Parameters
     ----------

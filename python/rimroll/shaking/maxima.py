@@ -64,7 +64,7 @@ class Maxima:
 
     @classmethod
     def of(cls, shaken: xr.Dataset) -> Maxima:
-        """Those of a dataset of :func:`rimroll.shake_many`; infinite for bodies that overturned."""
+        """The maxima of a dataset of :func:`rimroll.shake_many`; infinite if overturned."""
         ratio = np.asarray(shaken["max_tilt_ratio"])
         return cls(np.where(np.asarray(shaken["overturned"]), np.inf, ratio).ravel())
 

@@ -86,7 +86,7 @@ class Described(Table):
 
     def _listed(self, unit: str | None, values: list[Any]) -> tuple[Any, ...] | NDArray[np.float64]:
         if self.number is not None:
-            raise RimrollError("number goes with range or log_range, not with values")
+            raise RimrollError("number needs range or log_range, not values")
         if not values:
             raise RimrollError("values must be one or more, got none")
         if len(values) > MAX_VALUES:

@@ -25,7 +25,7 @@ from io import BufferedReader, BufferedWriter
 from pathlib import Path
 
 from rimroll.errors import RimrollError
-from rimroll.study.storage import told
+from rimroll.study.storage import as_store_errors
 
 Span = tuple[int, int]
 """The first of some chunks, and the one after the last."""
@@ -67,12 +67,12 @@ def claimed(folder: Path, first: int, last: int) -> Iterator[bool]:
     chunks. Raises ``RimrollError``, which names the owner, when another run holds some of them.
     """
     span = (first, last)
-    with told(folder.parent):
+    with as_store_errors(folder.parent):
         key, locked = _take(folder, span)
     note = folder / f"owner-{first}-{last}.json"
     try:
         if locked:
-            with told(folder.parent):
+            with as_store_errors(folder.parent):
                 _forget_killed(folder, span)
                 own = {"chunks": span, "host": platform.node(), "process": os.getpid()}
                 note.write_text(json.dumps(own))

@@ -37,7 +37,7 @@ ANSWERS = 60.0
 """How long (s) a worker may take to say why it has not marked its chunk."""
 
 AHEAD = 3
-"""Tasks given to the scheduler for each thread of the cluster: all at once would choke it."""
+"""Tasks given to the scheduler for each thread of the cluster: all at once would overload it."""
 
 RECOUNT = 2.0
 """Time (s) between two looks at how many threads the cluster has."""

@@ -354,7 +354,7 @@ def _expect_one_film(law: Any, axes: tuple[Axis, ...], varied: list[str]) -> Non
         for of in varied:
             if of.partition(".")[0] == "body" or of == "simulation.gravity":
                 raise RimrollError(
-                    f'[law.air_drag] coefficient "{FILM}" goes with a single body and gravity:'
+                    f'[law.air_drag] coefficient "{FILM}" needs a single body and gravity:'
                     f" {of} varies"
                 )
 

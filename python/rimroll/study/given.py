@@ -82,5 +82,5 @@ def key_in(one: Given) -> str:
 
 
 def part(value: float | NDArray[np.float64], rows: Any) -> Any:
-    """Those of the numbers (n,) that belong to some rows; or the one number of all rows."""
+    """The numbers of some rows, out of (n,); or the one number of all rows."""
     return value[rows] if isinstance(value, np.ndarray) else value

@@ -1,4 +1,4 @@
-"""Loaded by local workers: Ctrl-C in a terminal reaches them, too, but the client ends them."""
+"""Makes local workers ignore Ctrl-C, which a terminal sends them too; the client ends them."""
 
 import signal
 import threading

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.output import durably
-from rimroll.study.storage import StoreError, digest, told
+from rimroll.study.storage import StoreError, as_store_errors, digest
 
 if TYPE_CHECKING:
     from rimroll.study.plan import Columns
@@ -24,7 +24,7 @@ class Parts:
 
     def write(self, chunk: int, columns: Mapping[str, NDArray[Any]]) -> str:
         """Write the part of a chunk to the disk; return its hash."""
-        with told(self._folder), durably(self._file(chunk)) as file:
+        with as_store_errors(self._folder), durably(self._file(chunk)) as file:
             np.savez(file, **columns)  # type: ignore[arg-type]
         return digest(columns)
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.output import flush
-from rimroll.study.storage import StoreError, digest, told
+from rimroll.study.storage import StoreError, as_store_errors, digest
 
 if TYPE_CHECKING:
     from rimroll.study.plan import Columns
@@ -36,7 +36,7 @@ class RowsOnDisk:
         written = {
             name: np.ascontiguousarray(columns[name], one.dtype) for name, one in arrays.items()
         }
-        with told(self._path):
+        with as_store_errors(self._path):
             for name, array in arrays.items():
                 array[place or ...] = written[name].reshape(shape)
             # At the same time, since a disk writes many files at once nearly as fast as one.

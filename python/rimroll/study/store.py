@@ -36,7 +36,7 @@ from rimroll.study.changes import changes
 from rimroll.study.marks import Marks
 from rimroll.study.parts import Parts
 from rimroll.study.rows_on_disk import RowsOnDisk
-from rimroll.study.storage import StoreError, digest, told, zarr
+from rimroll.study.storage import StoreError, as_store_errors, digest, zarr
 from rimroll.study.versions import NAMES as VERSIONS
 from rimroll.study.versions import difference
 
@@ -96,7 +96,7 @@ class Store:
     def __init__(self, path: str | os.PathLike[str]) -> None:
         """Open a store; ``StoreError`` if there is none, or one of another program."""
         self.path = Path(path)
-        with told(self.path):
+        with as_store_errors(self.path):
             self.attrs = _attributes(self.path)
         form = self.attrs.pop(FORMAT)
         if form["version"] != VERSION:
@@ -122,7 +122,7 @@ class Store:
         place = Path(path)
         if _is_store(place):
             return cls._swept(place)
-        with told(place):
+        with as_store_errors(place):
             place.parent.mkdir(parents=True, exist_ok=True)
             part = place.with_name(f".{place.name}.{secrets.token_hex(4)}.partial")
             try:
@@ -214,8 +214,8 @@ class Store:
             )
 
     def pending(self, chunks: Iterable[int]) -> list[int]:
-        """Those of the chunks that are not done."""
-        with told(self.path):
+        """The chunks among these that are not done."""
+        with as_store_errors(self.path):
             done = self.marks.done()
         return [chunk for chunk in chunks if chunk not in done]
 
@@ -235,7 +235,7 @@ class Store:
         if plan.statistics is None or self.marks.merged() is not None:
             return
         merged = plan.statistics.merged(map(self.numbers.read, range(self.blocks.number)))
-        with told(self.path):
+        with as_store_errors(self.path):
             for name, array in self.arrays.items():
                 array[...] = merged[name]
                 flush_all(self.path / name)
@@ -273,7 +273,7 @@ def is_truth(array: xr.DataArray) -> bool:
 
 def _is_store(place: Path) -> bool:
     """Whether something is there; ``StoreError`` unless that is a store of rimroll."""
-    with told(place):
+    with as_store_errors(place):
         if not place.exists() or (place.is_dir() and not any(place.iterdir())):
             return False
         _attributes(place)

@@ -1,6 +1,6 @@
 """Who computes the numbers of a study: this build of rimroll, and the packages beside it.
 
-Builds of one version number differ while rimroll is developed, so a build is told by its files.
+Builds with the same version number differ while rimroll is developed, so files identify a build.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from rimroll.errors import RimrollError
 from rimroll.study.marks import Mark
-from rimroll.study.storage import told
+from rimroll.study.storage import as_store_errors
 from rimroll.study.versions import of_mark
 
 if TYPE_CHECKING:
@@ -84,7 +84,7 @@ def computed(
 
 def keep(store: Store, found: Computed) -> Mark:
     """Write the numbers of a chunk, and mark it as done when they are on the disk."""
-    with told(store.path):
+    with as_store_errors(store.path):
         sha256 = store.numbers.write(found.chunk, found.columns)
         mark = Mark(sha256, found.seconds, platform.node(), of_mark())
         store.marks.add(found.chunk, mark)

@@ -20,7 +20,7 @@ FALLS = re.compile(r"direction|angle|fall|end|richtung|winkel")
 """Beginnings of the name of a column of directions of fall."""
 
 DIRECTIONS = re.compile(r"direction|angle|richtung|winkel")
-"""Those of them that are enough to choose one among many columns."""
+"""The names of these that suffice to choose one among many columns."""
 
 LEANS = re.compile(r"lean|(direction of |angle of )?(the )?first|start direction")
 """Beginnings of the name of a column of directions of the first lean."""

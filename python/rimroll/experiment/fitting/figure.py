@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 FITTED = Coulomb.color
 MAX_SHOWN = 16.0
-"""Deviances above say no more than impossible."""
+"""Larger deviances all mean impossible."""
 
 
 def fit_figure(fit: Fit) -> Figure:
@@ -63,7 +63,7 @@ def _draw_falls(ax: Axes, fit: Fit) -> None:
         thick = 1.8 if point is fit.best else 1.0
         ax.plot(angles, curve, color=color, ls=dashes, lw=thick, label=name)
     ax.axvline(middle, color=style.THEORY, lw=0.5, ls=(0, (1, 3)))
-    # What is on the left of the hand, on the left: angles grow that way, but for falls back to it.
+    # Falls to the left of the hand are on the left. Angles grow to the left, except for falls back.
     ax.set_xlim(*((angles[-1], angles[0]) if middle else (angles[0], angles[-1])))
     directions_in_degrees(ax.xaxis, reach)
     ax.margins(y=0.12)

@@ -15,9 +15,9 @@ from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, callback, expect
 from rimroll.experiment.fitting.estimate import Estimate, Interval, estimate
 from rimroll.experiment.fitting.likelihood import (
-    MIN_OF_A_SIDE,
     MAX_BIAS,
     MAX_LOGIT,
+    MIN_OF_A_SIDE,
     Likelihood,
     Point,
 )
@@ -98,7 +98,7 @@ class Fit:
 
     @property
     def strays(self) -> NDArray[np.bool_]:
-        """Which of the directions (n,) are far from both humps: likelier slips of the pen."""
+        """Which of the directions (n,) are far from both humps: probably writing errors."""
         return Likelihood(self.predicted, self.directions).strays(self.best)
 
     def density(self, angles: ArrayLike) -> Array:
@@ -314,7 +314,7 @@ def _warnings(
 ) -> Iterator[str]:
     """Warnings about parameters at the ends of their ranges, and about stray readings."""
     if assumed:
-        yield "too few falls to one side to tell a bias from friction: none was assumed"
+        yield "too few falls to one side to distinguish a bias from friction: no bias was assumed"
     if "bias" in at_bounds:
         yield (
             f"the bias is at the end of what is tried, {math.degrees(best.bias):.0f} degrees: are "
@@ -334,7 +334,7 @@ def _warnings(
     if strays.size:
         angles = ", ".join(f"{angle:.0f}" for angle in strays[:5])
         more = " and more" if strays.size > 5 else ""
-        yield f"far from both humps, and taken for slips of the pen: {angles}{more} degrees"
+        yield f"far from both humps, and taken for writing errors: {angles}{more} degrees"
 
 
 def _alone(

@@ -76,7 +76,7 @@ class Likelihood:
 
     @property
     def has_both_sides(self) -> bool:
-        """Whether there are enough falls to the rarer side to tell a bias from friction."""
+        """Whether there are enough falls to the rarer side to distinguish a bias from friction."""
         lefts = int(np.sum(self.directions > math.pi))
         return min(lefts, len(self.directions) - lefts) >= MIN_OF_A_SIDE
 
@@ -96,7 +96,7 @@ class Likelihood:
         return np.asarray(at.left_share * left + (1.0 - at.left_share) * right)
 
     def strays(self, at: Point) -> NDArray[np.bool_]:
-        """Which of the directions (n,) are likelier slips of the pen than falls."""
+        """Which of the directions (n,) are more probably writing errors than falls."""
         return self.density(self.directions, at) < 2.0 * STRAY / TURN
 
     def worse(self, point: Point, best: Point) -> float:

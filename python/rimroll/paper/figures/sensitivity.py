@@ -12,13 +12,13 @@ from matplotlib.axes import Axes
 from rimroll import style
 from rimroll.falls import Column, Falls
 from rimroll.laws import Coulomb, Frictionless, Law, NoSlip
+from rimroll.left_or_right import map_falls, watershed, watershed_slope
 from rimroll.many_falls import OPTIONS, follow
 from rimroll.map_plot import SPIN, YAW, directions, draw_map, scale_of_directions
 from rimroll.motion import Array
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
 from rimroll.paper.setting import MEASURED
-from rimroll.left_or_right import map_falls, watershed, watershed_slope
 from rimroll.state import State
 from rimroll.style import superscript
 from rimroll.theory import turn_limit

@@ -118,7 +118,7 @@ def measured_step(one: Motion) -> float:
 
     The yaw between equal tilts δ = φ_c^(2/3) falling and rising, far outside the near-collision
     and far below the whole motion. Out there nothing but the tilt acts on w = ψ̇ sin φ: w ~ 1/φ,
-    and each of the two tails still turns by |w/φ̇|, but for what gravity does, of the order of δ.
+    and each of the two tails still turns by |w/φ̇|, except for the effect of gravity, of order δ.
     """
     low = next(event for event in one.events if event.kind == "tilt_min")
     tilt = float(np.cbrt(low.state.tilt) ** 2)
