@@ -31,7 +31,7 @@ class Build:
     target: str = ""
     """Rust's name of the system; none for the source distribution."""
     options: tuple[str, ...] = ()
-    """Those of maturin. zig links for other systems, and for old versions of glibc."""
+    """Options of maturin. zig links for other systems, and for old versions of glibc."""
     way: str = ""
     """How tools/try_wheel.sh tries it on Linux on x86_64."""
     untried: str = ""

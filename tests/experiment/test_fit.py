@@ -144,7 +144,7 @@ def test_weighted_falls_have_the_mean_and_spread_of_another_hand(predicted, unst
     # Standard errors of the falls and of the prediction, which is worth half of its 256.
     error = gone.std() * math.sqrt(1.0 / len(gone) + 1.0 / 128)
     assert mean == pytest.approx(gone.mean(), abs=4.0 * error)
-    # That of a spread is 1/sqrt(2) of it for a normal distribution; falls have longer tails.
+    # The error of a spread is 1/sqrt(2) of this for a normal distribution; falls have longer tails.
     assert spread == pytest.approx(gone.std(), abs=4.0 * error)
 
 
@@ -295,7 +295,7 @@ def test_between_frictions_densities_are_as_good_as_computed_there(predicted):
 @pytest.mark.parametrize("confidence", [0.68, 0.95, 0.9999])
 def test_the_limit_of_the_deviance_is_that_of_student_for_normal_data(predicted, n, confidence):
     likelihood = Likelihood(predicted, np.linspace(3.0, 4.0, n))
-    # Of two means and a common spread, one mean is moved to the end of Student's interval.
+    # There are two means and a common spread. One mean is moved to the end of Student's interval.
     left_over = 2.0  # sum of squares about the means, whatever its unit
     spread = math.sqrt(left_over / (n - 2))
     lefts = n // 2
@@ -424,7 +424,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say():
 
 
 def unbiased_chance(predicted, directions):
-    """Of data as far from dry friction without a bias."""
+    """The chance of data as far from dry friction without a bias."""
     likelihood = Likelihood(predicted, directions)
     return likelihood.chance(likelihood.worse(likelihood.best(bias=0.0), likelihood.best()))
 

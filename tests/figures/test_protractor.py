@@ -120,7 +120,7 @@ def test_a_disk_has_one_line_whatever_the_friction():
 
 
 def extents(figure):
-    """Of each text, in mm: left, lower, right, upper."""
+    """The left, lower, right and upper end of each text, mm."""
     renderer = FigureCanvasAgg(figure).get_renderer()
     for text in figure.axes[0].texts:
         yield text.get_text(), text.get_window_extent(renderer).extents / figure.dpi * 25.4

@@ -54,7 +54,7 @@ def test_a_film_with_large_errors_is_fitted():
 
 @pytest.mark.soak
 def test_intervals_of_random_films_hold_the_truth():
-    """Of ten intervals at 95 %, two that miss occur in 9 % of all cases, and three in 1 %."""
+    """Two of ten intervals at 95 % miss in 9 % of all cases, and three in 1 %."""
     draw = np.random.default_rng(3)
     held = 0
     for seed in range(10):

@@ -63,7 +63,7 @@ def test_sixty_turns_of_the_can_are_right_to_1e_12(law):
 
 
 def errors(row, law):
-    """Of the turn (rad), and of the other numbers relative to their size; None without a turn."""
+    """Errors of the turn (rad) and relative errors of the other numbers; None without a turn."""
     known = row.turns[law.name]
     found = rr.exact_turn(
         rr.Body(**vars(row.body)),

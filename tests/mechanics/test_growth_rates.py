@@ -33,7 +33,7 @@ def of_rolling(spin, c):
 
 
 def of_spinning(rate, c):
-    """The same for (δ, δ̇, s, v_x, v_y) of one that spins about its vertical diameter."""
+    """The matrix for (δ, δ̇, s, v_x, v_y) of a disk that spins about its vertical diameter."""
     return np.array(
         [
             [0.0, 1.0, 0.0, 0.0, 0.0],

@@ -37,7 +37,7 @@ def toward(azimuth):
 
 @dataclass(frozen=True)
 class Velocities:
-    """Of the centre of mass and of rotation; e_x points to the rim point A, e_z upward."""
+    """Velocities of the centre of mass and of rotation: e_x points to A on the rim, e_z upward."""
 
     center: np.ndarray
     rotation: np.ndarray

@@ -25,7 +25,7 @@ def printed_accelerations(motion, tilt, rates):
 
 
 def eigenvalues(motion):
-    """Those of the printed equations, linearised by central differences about a steady motion."""
+    """Eigenvalues of the printed equations, linearised about a steady motion by differences."""
 
     def rate(u):
         return np.array([u[2], *printed_accelerations(motion, u[0], u[1:])])

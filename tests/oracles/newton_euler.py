@@ -63,7 +63,7 @@ def contact_force(center_velocity):
 
 
 def moment(force):
-    """Of a force at the contact point, about G."""
+    """The moment about G of a force at the contact point."""
     return -r_PG.cross(force)
 
 

@@ -206,7 +206,7 @@ def cross(a, b):
 
 
 def quaternion(yaw, tilt, spin):
-    """Of the frame turned by yaw about e_z, then -tilt about e_y1, then spin about e_z2."""
+    """The frame turned by yaw about e_z, then -tilt about e_y1, then spin about e_z2."""
     together, apart = (yaw + spin) / 2, (yaw - spin) / 2
     sin, cos = np.sin(-tilt / 2), np.cos(tilt / 2)
     return np.array(
@@ -589,7 +589,7 @@ class Look:
 
     @property
     def slip(self):
-        """Of the material rim point, on e_x1 and e_y1 (m/s)."""
+        """The slip of the material rim point along e_x1 and e_y1 (m/s)."""
         return self._on_yawed(self.y[VELOCITY])
 
     @cached_property
@@ -612,7 +612,7 @@ class Look:
 
     @property
     def works(self):
-        """Done on the body since the start (J), but for that of landings, by WORK_OF."""
+        """Work done on the body since the start (J), except in landings, by WORK_OF."""
         return dict(zip(WORK_OF, self.y[WORKS].tolist(), strict=True))
 
     def _on_yawed(self, vector):

@@ -264,7 +264,7 @@ TOPPLING = {
     from_the_top: 20,
     held: 10,
 }
-"""The same of those that may topple, half of them at a tilt that is given."""
+"""The numbers of starts that may topple, half of them at a given tilt."""
 
 
 def some_topple_tilt(random, body, start):

@@ -160,7 +160,7 @@ impl Ending {
                 after.in_words()
             ),
             EndingKind::ToppledInTheAir => format!(
-                "toppled in the air: the tilt reached {tilt} at t = {t} s, the rim being off the table"
+                "toppled in the air: the tilt reached {tilt} at t = {t} s, with the rim off the table"
             ),
             EndingKind::Toppled => format!("toppled: the tilt reached {tilt} at t = {t} s"),
             EndingKind::LiftedOff => format!(
@@ -187,7 +187,7 @@ impl Ending {
                 unit.rounded(FACE_DOWN_TILT)
             ),
             EndingKind::AtRest { energy_left } => format!(
-                "at rest at t = {t} s: the base lies flat, and the last {energy_left:.1e} of the energy goes with it"
+                "at rest at t = {t} s: the base lies flat, and the last {energy_left:.1e} of the energy is lost"
             ),
             EndingKind::Painleve { friction } => format!(
                 "ended in Painlevé's paradox at t = {t} s: sliding as it does, the rim would be pressed down by \

@@ -48,7 +48,7 @@ const MIN_CHUNK: usize = 128;
 const SCALAR_COST: usize = 32;
 
 /// Simulates each body from its start, under its contact law, through the first turn. The work is done on the
-/// threads of the current thread pool. Trials of the same body are somewhat faster if they are adjacent.
+/// threads of the current thread pool. Setups with the same body are somewhat faster if they are adjacent.
 ///
 /// `watch` is called on these threads after each chunk of work with the number of falls in it, and with 0
 /// before each scalar fall. As soon as it breaks, the computation stops. The result then consists of the falls

@@ -35,7 +35,7 @@ pub struct Ground {
 pub(crate) struct Stretch {
     ground: Arc<Ground>,
     segment: Option<Segment>,
-    /// A time inside this part, which tells the pulses that act from those that are over.
+    /// A time inside this part, which decides which pulses act and which are over.
     begin: f64,
     /// The next corner, s; infinite after the last.
     pub(crate) end: f64,

@@ -9,7 +9,7 @@ from rimroll_score.sweep import grade
 
 
 def badge(result: EngineResult, bounds: Bounds) -> str:
-    """An SVG that tells the best grade of any setting in ``rolling_near``."""
+    """An SVG that shows the best grade of any setting in ``rolling_near``."""
     grades = [grade(result.of(NEAR, one), bounds.angle, bounds.energy) for one in result.settings]
     best = max((one for one in grades if one is not None), default=None)
     if best is not None:

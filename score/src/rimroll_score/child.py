@@ -63,7 +63,7 @@ def described(adapter: Any) -> dict[str, Any]:
 
 
 def computed(adapter: Any, task: dict[str, Any]) -> dict[str, Any]:
-    """Run a motion, save its samples and tell the processor time of its steps."""
+    """Run a motion, save its samples and return the processor time of its steps."""
     from rimroll_score.protocol import Body, Scene, State, Unsupported
     from rimroll_score.samples import Recorder
 

@@ -63,7 +63,7 @@ class EngineResult:
 
 MEASURES = tuple(one.name for one in fields(Measured))
 COLUMNS = ("dt", "status", "message", "cost", "repeats", "differ", "departures", *MEASURES)
-"""Of a run in the file; ``departures`` is a place in the list of an engine's."""
+"""The columns of a run in the file; ``departures`` is an index into the list of an engine."""
 
 
 def _run(

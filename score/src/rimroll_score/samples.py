@@ -56,7 +56,7 @@ class Recorder:
     rows: list[tuple[float, State]] = field(default_factory=list)
 
     def add(self, time: float, due: float, state: State) -> None:
-        """Add the state at an engine's time, which is due at a time that the steps tell.
+        """Add the state at an engine's time, which is due at a time that follows from the steps.
 
         Raises ``BadSample`` for a wrong shape, a number that is not finite, or a clock that is off
         by more than a hundredth.

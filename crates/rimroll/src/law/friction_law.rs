@@ -36,7 +36,7 @@ macro_rules! friction_laws {
             NoSlip,
             /// The table exerts only a normal force.
             Frictionless,
-            /// The rim neither slips nor rolls out of its place: [`InPlace`](super::InPlace).
+            /// The body wobbles without leaving its place: [`InPlace`](super::InPlace).
             InPlace,
             $($(#[doc = $doc])* $law($law),)*
         }

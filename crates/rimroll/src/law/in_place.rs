@@ -41,7 +41,7 @@ use crate::state::{Coordinates, State};
 /// The equations of motion in place.
 #[derive(Debug, Clone, Copy)]
 pub struct InPlace<T> {
-    /// Those without the twisting moment.
+    /// The equations without the twisting moment.
     rolling: NoSlip<T>,
     /// E = `e` + `e_of_cos` cos φ + `e_of_sin` sin φ.
     e: T,

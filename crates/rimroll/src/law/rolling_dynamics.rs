@@ -8,9 +8,9 @@ use crate::real::Scalar;
 /// The dynamics of a rim that rolls, with resistance.
 #[derive(Clone)]
 pub(crate) enum RollingDynamics<T: Scalar> {
-    /// Wherever it rolls to.
+    /// The rim rolls freely.
     Freely(Resisted<OnTable<NoSlip<T>, T>>),
-    /// On the circle on which the body stood.
+    /// The rim rolls on the circle on which the body stood.
     InPlace(Resisted<OnTable<InPlace<T>, T>>),
 }
 

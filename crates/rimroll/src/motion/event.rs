@@ -55,7 +55,7 @@ impl EventKind {
     }
 }
 
-/// An event and the motion at that moment.
+/// An event and the motion at that instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Event {
     /// The kind of the event.

@@ -661,7 +661,7 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// Whether the fraction x of a step is its end but for rounding, and there the acceleration of the table has a
+    /// Whether the fraction x of a step is its end except for rounding, and there the acceleration of the table has a
     /// corner.
     fn is_at_corner(&self, part: StepPart<'_>, x: f64) -> bool {
         const ROUNDING: f64 = 4.0 * f64::EPSILON;

@@ -1,4 +1,4 @@
-//! The state of a motion at a moment: its coordinates and the kind of contact.
+//! The state of a motion at an instant: its coordinates and the kind of contact.
 
 use crate::state::Coordinates;
 use core::ops::Deref;
@@ -49,7 +49,7 @@ impl Phase {
     }
 }
 
-/// The coordinates and the phase at a moment.
+/// The coordinates and the phase at an instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Instant {
     /// The phase, which determines the law that holds.

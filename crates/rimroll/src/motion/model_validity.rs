@@ -102,7 +102,7 @@ impl Motion {
 const NORMAL_FORCE: usize = column("normal_force");
 const KINETIC_ENERGY: usize = column("kinetic_energy");
 
-/// The place of a quantity in a [`Observables`](super::Observables).
+/// The place of a quantity in [`Observables`](super::Observables).
 const fn column(name: &str) -> usize {
     let mut place = 0;
     while !same(COLUMNS[place].as_bytes(), name.as_bytes()) {

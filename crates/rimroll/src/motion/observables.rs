@@ -1,9 +1,9 @@
-//! All quantities of a motion at one moment, as users read them.
+//! All quantities of a motion at one instant, as users read them.
 
 use crate::law::{Contact, Dynamics};
 use crate::state::Coordinates;
 
-/// The names of the quantities at one moment, in SI units and radians.
+/// The names of the quantities at one instant, in SI units and radians.
 ///
 /// `x`, `y`, `z` are the centre of mass. The contact point (in flight: the point below the rim's lowest
 /// point), friction and slip are vectors in the plane of the table. `friction_ratio` is |T|/N. For a rim that
@@ -38,10 +38,10 @@ pub const COLUMNS: [&str; 26] = [
     "ground_work",
 ];
 
-/// One moment: a number for each of [`COLUMNS`].
+/// The quantities at one instant: a number for each of [`COLUMNS`].
 pub type Observables = [f64; COLUMNS.len()];
 
-/// The first quantities of a [`Observables`]: time, position and motion, which do not depend on the law.
+/// The first quantities of [`Observables`]: time, position and motion, which do not depend on the law.
 pub type Pose = [f64; 8];
 
 /// The quantities that follow from the coordinates alone.

@@ -41,7 +41,7 @@ impl<T: Scalar> PhaseDynamics<T> {
         }
     }
 
-    /// Those that hold in a phase.
+    /// The equations that hold in a phase.
     pub(super) fn in_phase(&self, phase: Phase) -> &dyn Dynamics<T> {
         match phase {
             Phase::Rolling => self.rolling.dynamics(),
@@ -55,7 +55,7 @@ impl<T: Scalar> PhaseDynamics<T> {
         }
     }
 
-    /// Those that hold in a phase, as the solver sees them.
+    /// The system of a phase, as the solver integrates it.
     pub(super) fn phase_system(
         &self,
         phase: Phase,

@@ -107,7 +107,7 @@ impl Trajectory {
         self.sampled(per_step, 0..self.records.len()).collect()
     }
 
-    /// Those of [`Self::samples`] whose time (s) is in a range.
+    /// The [`Self::samples`] whose time (s) is in a range.
     pub(super) fn samples_in(
         &self,
         times: RangeInclusive<f64>,

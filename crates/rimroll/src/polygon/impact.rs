@@ -35,9 +35,9 @@ pub(super) struct AfterImpact {
 pub(super) enum Allowed {
     /// All after which no touching corner moves downward: the body rolls from corner to corner.
     Any,
-    /// Those of them whose corners are not pulled down: the body lands or rebounds.
+    /// The supports among these whose corners are not pulled down: the body lands or rebounds.
     Pushing,
-    /// Those that hold all touching corners: they approach so slowly that the next of ever smaller impacts would follow
+    /// The supports that hold all touching corners: they approach so slowly that the next of ever smaller impacts would follow
     /// at once.
     Together,
 }

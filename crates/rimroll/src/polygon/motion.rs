@@ -9,7 +9,7 @@ use crate::number_format::{AngleUnit, formatted_time};
 use crate::solve::Work;
 use crate::state::State;
 
-/// The quantities of a [`Observables`], in order.
+/// The quantities of [`Observables`], in order.
 pub const COLUMNS: [&str; 19] = [
     "t",
     "tilt",

@@ -80,7 +80,7 @@ impl Pose {
         }
     }
 
-    /// The same with |Γ| = 1, from which steps drift by their errors.
+    /// This pose with |Γ| set to 1, from which the errors of steps remove it.
     pub fn normalised(self) -> Pose {
         let up = times(1.0 / length(self.up), self.up);
         Pose { up, ..self }

@@ -87,7 +87,7 @@ impl PolygonOptions {
 }
 
 /// The motion of a body with corners from a start: with the centre of mass above the origin and, without friction, at
-/// rest but for its fall. At spin 0 corner 0 is the lowest; at spin π/n the body leans over an edge. `watch` receives the
+/// rest except for its fall. At spin 0 corner 0 is the lowest; at spin π/n the body leans over an edge. `watch` receives the
 /// time reached after each step and may stop the computation.
 ///
 /// # Errors

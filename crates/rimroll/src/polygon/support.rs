@@ -138,7 +138,7 @@ impl SupportedBody {
         (supported, pose)
     }
 
-    /// In flight, the same with the corner counted that is lowest now.
+    /// In flight, this body with the corner that is lowest now.
     pub fn with_lowest(&self, at: &Pose) -> SupportedBody {
         let spin = at.state(self.support.middle_spin(&self.body)).spin;
         let lowest = libm::rint(-spin / self.body.corner_angle()) as i64;

@@ -17,7 +17,7 @@ pub(super) trait StageSums<T, const N: usize>: Copy {
     fn store_rates(self, place: &mut [T; N], rates: &[T; N]);
 }
 
-/// ScalarSums operations, for any number type on any processor.
+/// Scalar operations, for any number type on any processor.
 #[derive(Clone, Copy)]
 pub(super) struct ScalarSums {
     /// The number of leading ignorable components.

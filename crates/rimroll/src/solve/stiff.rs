@@ -198,7 +198,7 @@ impl<'a, S: System<f64, N>, D: System<Dual, N>, const N: usize> Implicit<'a, S, 
                 .map(|j| self.method.last_of_rises[j] * (states[j][i] - start[i]))
                 .sum();
             let size = at_start[i].max(at_end[i]);
-            // A component that changes by less than its rounding errors tells nothing.
+            // A component that changes by less than its rounding errors carries no information.
             let weights = self.method.last_of_rises.iter().map(|weight| weight.abs());
             let rounding = f64::EPSILON * start[i].abs() * weights.sum::<f64>();
             let part = if highest.abs() <= rounding {

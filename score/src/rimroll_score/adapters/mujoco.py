@@ -20,7 +20,7 @@ from rimroll_score.protocol import (
 )
 
 CORNERS = 32
-"""Of the rim that is a polygon."""
+"""Corners of the rim that is a polygon."""
 
 
 class MuJoCo:

@@ -110,7 +110,7 @@ class PyBullet:
         )
         if info[11] > self.best["margin"]:
             departures.append(f"the collision margin, which rounds the rim, is {info[11]:g} m")
-        if not best:  # as its manual and source say: PyBullet does not tell
+        if not best:  # from its manual and source: PyBullet does not report it
             departures.append("damping is 0.04 1/s times 1 + speed in m/s, 1 + rate in rad/s")
             departures.append("a body that is slow for long may be put to sleep")
             departures.append("angular velocity is limited to 100 rad/s")

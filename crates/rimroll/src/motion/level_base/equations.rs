@@ -40,7 +40,7 @@ pub(in crate::motion) struct LevelEquations<'a, T: Scalar> {
 }
 
 impl<'a, T: Scalar> LevelEquations<'a, T> {
-    /// The equations at a yaw (rad). `sliding` has the friction, and `is_dry` tells whether it is dry.
+    /// The equations at a yaw (rad). `sliding` has the friction, and `is_dry` says whether it is dry.
     pub(in crate::motion) fn new(
         k: Parameters<T>,
         yaw: T,

@@ -184,7 +184,7 @@ fn is_collocated(contacts: &Contacts, record: &StepRecord) -> bool {
 /// dt/dx at the points of a step, where x is the fraction of the step.
 ///
 /// The steps at an onset of dry slip are made with respect to τ, other implicit ones with respect to the regularized
-/// variable of the law. The change of the time over the step tells which.
+/// variable of the law. The change of the time over the step shows which.
 fn time_rates(contacts: &Contacts, record: &StepRecord, dense: &Polynomial) -> [f64; POINTS] {
     let phases = contacts.phases_from(record.start[TIME]);
     let phase_system = phases.phase_system(record.phase, IndependentVariable::Regularized);
