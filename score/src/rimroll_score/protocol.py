@@ -54,7 +54,7 @@ class Scene:
     table: bool = True
     """False in free flight."""
     table_acceleration: float = 0.0
-    """Acceleration of the table, upward, m/s². It starts at rest; the body's state is relative to it.
+    """Acceleration of the table, upward, m/s². It starts at rest; the body's state is relative.
 
     Only an adapter that has ``moves_table = True`` is asked for one other than 0.
     """
