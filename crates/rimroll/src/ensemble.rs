@@ -10,7 +10,7 @@
 //! * `pool` keeps sixteen lanes filled: it locates the events of a step by shorter steps and replaces each
 //!   completed fall by the next one;
 //! * `slip_onset` integrates slip from rest;
-//! * `batch` computes falls under one law, `dry` the falls under dry friction with their changes of phase.
+//! * `batch` computes falls under one law, `dry_friction` the falls under dry friction with their changes of phase.
 //!
 //! All other falls, for example those that fly, land flat on the base or have another contact law, are left
 //! to the scalar solver, [`fall`].
@@ -19,7 +19,7 @@ mod active_fall;
 mod batch;
 mod bounds;
 mod chunk;
-mod dry;
+mod dry_friction;
 mod lockstep;
 mod pool;
 mod reduced_system;

@@ -5,10 +5,10 @@
 //! and the square root, which IEEE 754 defines to the last bit, and `libm` for all other functions. It uses
 //! neither the platform's mathematical library nor a fused multiply-add.
 
-mod double;
 mod dual;
 mod elementary;
 mod fieldwise;
+mod float64;
 mod kernel;
 mod lanes;
 mod register;

@@ -7,20 +7,20 @@
 mod collocation;
 mod dense_output;
 mod dop853;
+mod implicit;
 mod root;
 mod stage_sums;
 mod step_control;
 mod stepper;
-mod stiff;
 pub(crate) mod tableau;
 
 pub use collocation::{Collocation, POINTS, RADAU, solved};
 pub use dense_output::Dense;
 pub use dop853::Step;
+pub use implicit::{Implicit, ImplicitStep};
 pub use root::{bracketed_root, bracketed_root_in};
 pub use step_control::ErrorEstimate;
 pub use stepper::Stepper;
-pub use stiff::{Found, Implicit};
 
 use crate::real::Real;
 

@@ -3,14 +3,14 @@
 
 mod error_law;
 pub mod exact;
-mod inner;
-mod limit;
+mod inner_problem;
+mod limiting_turn;
 mod near_collision;
 mod required_forces;
 
 pub use error_law::{error_law, error_law_coefficient};
-pub use inner::{Arrival, Passage, passage, turn_limit_of};
-pub use limit::{
+pub use inner_problem::{Arrival, Passage, passage, turn_limit_of};
+pub use limiting_turn::{
     disk_turn_limit, point_mass_turn_limit, tall_turn_limit, turn_limit, turn_limit_with_spin,
 };
 pub use near_collision::NearCollision;

@@ -2,7 +2,7 @@
 
 use super::active_fall::ActiveFall;
 use super::chunk::{BodyNumbers, Chunk, Setup};
-use super::dry::Dry;
+use super::dry_friction::Dry;
 use super::pool::{Exit, Pool};
 use super::reduced_system::{ReducedFrictionless, ReducedNoSlip, ReducedSystem};
 use crate::contact_law::ContactLaw;

@@ -62,11 +62,11 @@ impl Contacts {
     /// The equations of a body under a contact law and gravity g (m/s²), for steps with the given tolerance.
     /// A slip below a tenth of the tolerance, relative to the other velocities, counts as none.
     pub(crate) fn new(body: &Body, contact_law: &ContactLaw, gravity: f64, tolerance: f64) -> Self {
-        Contacts::on_ground(body, contact_law, None, gravity, tolerance)
+        Contacts::on_table(body, contact_law, None, gravity, tolerance)
     }
 
     /// As [`Contacts::new`], on a table that moves with `ground`.
-    pub(crate) fn on_ground(
+    pub(crate) fn on_table(
         body: &Body,
         contact_law: &ContactLaw,
         ground: Option<Arc<Ground>>,

@@ -24,7 +24,7 @@ use super::trajectory::Trajectory;
 use crate::ending::{FACE_DOWN_TILT, Status};
 use crate::error_scale::{ErrorScale, max_brief_change};
 use crate::law::Parameters;
-use crate::solve::{Found, Implicit, Work};
+use crate::solve::{Implicit, ImplicitStep, Work};
 use crate::state::{COORDINATES, Coordinates, TIME};
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
@@ -343,7 +343,7 @@ impl<'a> Run<'a> {
                 return ControlFlow::Break(over);
             }
             let found = implicit.attempt(h);
-            let factor = found.as_ref().map_or(0.25, Found::next_factor);
+            let factor = found.as_ref().map_or(0.25, ImplicitStep::next_factor);
             let accepted = found.filter(|found| found.error <= 1.0);
             match &accepted {
                 Some(found) => implicit.accept(&found.dense),
@@ -351,7 +351,7 @@ impl<'a> Run<'a> {
             }
             self.work = before + implicit.work;
             let is_accepted = accepted.is_some();
-            if let Some(Found { dense, .. }) = accepted {
+            if let Some(ImplicitStep { dense, .. }) = accepted {
                 let record = StepRecord::polynomial(phase, dense.clone());
                 if let Some(event) = self.detector.process(record, &dense, &mut self.trajectory) {
                     return ControlFlow::Break(self.end_of_phase(event, h));

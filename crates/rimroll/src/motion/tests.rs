@@ -36,7 +36,7 @@ fn a_drum_slides_on_a_moving_table_as_in_the_reference_motion() {
     };
     let law: ContactLaw = FrictionLaw::coulomb(0.1).into();
     let tolerance = options.step_tolerance();
-    let contacts = Contacts::on_ground(&body, &law, Some(ground), GRAVITY, tolerance);
+    let contacts = Contacts::on_table(&body, &law, Some(ground), GRAVITY, tolerance);
     let contacts = Arc::new(contacts);
     let state = State {
         tilt: 0.2,

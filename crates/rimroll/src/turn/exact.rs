@@ -8,7 +8,7 @@
 //!
 //! * the independent variable ln tan(φ/2) (`tilt_equation`), in which the near-collision and the rest of the
 //!   motion have similar lengths,
-//! * for no slip, a table of the body's fundamental solutions (`fundamental`),
+//! * for no slip, a table of the body's fundamental solutions (`fundamental_solutions`),
 //! * a closed form for the part of the yaw that the near-collision alone produces (`segments`).
 //!
 //! `scalar` handles one start with any outcome. In batches of sixteen lanes, `rocking_batch` handles starts that
@@ -20,7 +20,7 @@ mod balance_passage;
 mod batch;
 mod dispatch;
 mod frictionless;
-mod fundamental;
+mod fundamental_solutions;
 mod in_place;
 mod lane_groups;
 mod many_bodies;
@@ -50,7 +50,7 @@ use balance_passage::Balance;
 use core::f64::consts::FRAC_PI_2;
 use dispatch::Engine;
 use frictionless::FrictionlessTilt;
-use fundamental::Fundamental;
+use fundamental_solutions::Fundamental;
 pub use in_place::turn_in_place;
 pub use many_bodies::ExactRows;
 use no_slip::NoSlipTilt;

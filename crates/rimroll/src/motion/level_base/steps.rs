@@ -3,7 +3,7 @@
 use super::Departure;
 use super::equations::{LEVEL, LEVEL_TIME, LevelMotion, PLACES, size};
 use crate::real::Dual;
-use crate::solve::{Dense, Found, Implicit, Step, Stepper, Work, bracketed_root};
+use crate::solve::{Dense, Implicit, ImplicitStep, Step, Stepper, Work, bracketed_root};
 use crate::state::{COORDINATES, Coordinates};
 
 /// A part of the motion of a level base that slides or flies: its dense output, what ends it, and the work.
@@ -86,7 +86,7 @@ impl LevelMotion<'_> {
             let overshoot = found.as_ref().map_or(0.0, |found| {
                 (found.dense.end[LEVEL_TIME] - start[LEVEL_TIME]) / remaining
             });
-            let factor = found.as_ref().map_or(0.25, Found::next_factor);
+            let factor = found.as_ref().map_or(0.25, ImplicitStep::next_factor);
             match found {
                 Some(found) if overshoot > OVERSHOOT && found.error <= 1.0 => {
                     *h *= (1.0 / overshoot).max(0.1);

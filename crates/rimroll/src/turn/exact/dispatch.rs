@@ -3,7 +3,7 @@
 
 use super::balance_passage::Balance;
 use super::frictionless::FrictionlessTilt;
-use super::fundamental::Fundamental;
+use super::fundamental_solutions::Fundamental;
 use super::lane_groups::Group;
 use super::no_slip::NoSlipTilt;
 use super::quadrature_rule::{Choice, Rule};

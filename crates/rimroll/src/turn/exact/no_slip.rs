@@ -7,7 +7,7 @@
 //! J φ̇² = 2E − 2mg (z − H) − K w² + 2mHR s w − (C + mR²) s²      w = l / sin φ
 //! ```
 
-use super::fundamental::Fundamental;
+use super::fundamental_solutions::Fundamental;
 use super::start::Start;
 use super::tilt_equation::{
     Conserved, Point, TiltEquation, YawAndTimeRates, gap_beyond, half_tangent_at_rise,

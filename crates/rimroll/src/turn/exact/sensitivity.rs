@@ -1,7 +1,7 @@
 //! Derivatives of the turn with respect to start, body and gravity, by the quadrature in dual numbers.
 
 use super::frictionless::FrictionlessTilt;
-use super::fundamental::Fundamental;
+use super::fundamental_solutions::Fundamental;
 use super::no_slip::NoSlipTilt;
 use super::start::Start;
 use super::{Exact, Outcome};

@@ -144,7 +144,7 @@ mod tests {
     use crate::presets;
     use crate::state::State;
     use crate::turn::exact::frictionless::FrictionlessTilt;
-    use crate::turn::exact::fundamental::Fundamental;
+    use crate::turn::exact::fundamental_solutions::Fundamental;
     use crate::turn::exact::no_slip::NoSlipTilt;
     use crate::turn::exact::start::Start;
 

@@ -4,7 +4,7 @@
 //! independent variable. The body comes down flat if l = 0 at φ = 0, so the starts that do lie on a
 //! straight line in the plane of yaw and spin rates, whatever the tilt rate and gravity.
 
-use super::fundamental::regular_solution;
+use super::fundamental_solutions::regular_solution;
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded};
 use crate::law::{IdealLaw, Parameters};

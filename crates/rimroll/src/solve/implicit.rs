@@ -29,14 +29,14 @@ pub struct Implicit<'a, S, D, const N: usize> {
 }
 
 /// A finished step.
-pub struct Found<const N: usize> {
+pub struct ImplicitStep<const N: usize> {
     /// The step.
     pub dense: Dense<f64, N>,
     /// Its error over what is tolerated: the step is good when this is ≤ 1.
     pub error: f64,
 }
 
-impl<const N: usize> Found<N> {
+impl<const N: usize> ImplicitStep<N> {
     /// The factor by which the step size may change after this step, at least 1/4.
     pub fn next_factor(&self) -> f64 {
         (0.8 / libm::pow(self.error.max(1e-9), 1.0 / 7.0)).max(0.25)
@@ -96,7 +96,7 @@ impl<'a, S: System<f64, N>, D: System<Dual, N>, const N: usize> Implicit<'a, S, 
     }
 
     /// A step of length h; none where Newton's method does not settle.
-    pub fn attempt(&mut self, h: f64) -> Option<Found<N>> {
+    pub fn attempt(&mut self, h: f64) -> Option<ImplicitStep<N>> {
         const MAX_ROUNDS: usize = 30;
         // So far from the start the equations may have another solution.
         const FARTHEST: f64 = 10.0;
@@ -184,7 +184,7 @@ impl<'a, S: System<f64, N>, D: System<Dual, N>, const N: usize> Implicit<'a, S, 
         jacobian
     }
 
-    fn found(&self, states: &States<N>, h: f64) -> Found<N> {
+    fn found(&self, states: &States<N>, h: f64) -> ImplicitStep<N> {
         let start = &self.start;
         let (at_start, at_end) = (
             self.system.scale(start),
@@ -192,7 +192,7 @@ impl<'a, S: System<f64, N>, D: System<Dual, N>, const N: usize> Implicit<'a, S, 
         );
         let mut error: f64 = 0.0;
         for i in 0..N {
-            // What the highest power contributes bounds what those left out do. Found from the states:
+            // What the highest power contributes bounds what those left out do. ImplicitStep from the states:
             // the rates of what relaxes fast are differences with few digits.
             let highest: f64 = (0..POINTS)
                 .map(|j| self.method.last_of_rises[j] * (states[j][i] - start[i]))
@@ -208,7 +208,7 @@ impl<'a, S: System<f64, N>, D: System<Dual, N>, const N: usize> Implicit<'a, S, 
             };
             error = error.max(if part.is_nan() { f64::INFINITY } else { part });
         }
-        Found {
+        ImplicitStep {
             dense: self.method.through(h, start, states),
             error: error / self.tolerance,
         }
