@@ -231,12 +231,6 @@ pub trait Dynamics<T: Real> {
     /// The body and gravity.
     fn parameters(&self) -> &Parameters<T>;
 
-    /// Rates of all coordinates with respect to τ.
-    #[inline(always)]
-    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
-        u.with_spin_and_center(self.reduced_rates(u), self.center_velocity(u))
-    }
-
     /// Rates of the reduced state: all but spin and position, on which no rate depends.
     fn reduced_rates(&self, u: &Coordinates<T>) -> Coordinates<T>;
 
@@ -286,6 +280,16 @@ pub trait Dynamics<T: Real> {
     fn is_conservative(&self) -> bool {
         false
     }
+}
+
+/// What follows from the equations of any law. It is no part of [`Dynamics`], so that it is not compiled again for each
+/// law that is called through `dyn Dynamics`.
+pub trait DynamicsExt<T: Real>: Dynamics<T> {
+    /// Rates of all coordinates with respect to τ.
+    #[inline(always)]
+    fn rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        u.with_spin_and_center(self.reduced_rates(u), self.center_velocity(u))
+    }
 
     /// Kinetic energy, from the angular velocity (w, −φ̇, s) and the law's velocity of the centre of mass,
     /// and potential energy. (Erratum: appendix B prints half the potential energy.)
@@ -305,3 +309,5 @@ pub trait Dynamics<T: Real> {
         }
     }
 }
+
+impl<T: Real, L: Dynamics<T> + ?Sized> DynamicsExt<T> for L {}

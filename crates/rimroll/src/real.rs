@@ -11,6 +11,7 @@ mod fieldwise;
 mod float64;
 mod kernel;
 mod lanes;
+mod outlined;
 mod register;
 mod simd_dispatch;
 #[cfg(target_arch = "x86_64")]

@@ -14,7 +14,7 @@ use core::f64::consts::PI;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
 use rimroll::composite_approximation::{Composite, composite};
-use rimroll::law::{Dynamics, NoSlip, Parameters};
+use rimroll::law::{DynamicsExt, NoSlip, Parameters};
 use rimroll::motion::Turn;
 use rimroll::small_angle::lean_vector;
 use rimroll::solve::{Stepper, System};

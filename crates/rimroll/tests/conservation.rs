@@ -16,8 +16,8 @@ use cases::cases;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
 use rimroll::law::{
-    self, AirDrag, Contact, Dynamics, Parameters, PivotingFriction, Resistance, Resisted, Response,
-    RollingResistance,
+    self, AirDrag, Contact, Dynamics, DynamicsExt, Parameters, PivotingFriction, Resistance,
+    Resisted, Response, RollingResistance,
 };
 use rimroll::motion::Instant;
 use rimroll::real::{Dual, Real};

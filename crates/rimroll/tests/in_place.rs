@@ -13,6 +13,7 @@ use cases::cases;
 use core::ops::ControlFlow;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use proptest::prelude::*;
+use rimroll::law::DynamicsExt;
 use rimroll::law::{InPlace, Parameters};
 use rimroll::motion::{COLUMNS, Instant, Outcome, Phase, fall};
 use rimroll::turn::exact::turn_in_place;

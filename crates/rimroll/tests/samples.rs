@@ -7,6 +7,7 @@ use cases::cases;
 use proptest::prelude::*;
 use rimroll::ground::{Ground, Pulse, Shape};
 use rimroll::law::Coulomb;
+use rimroll::law::DynamicsExt;
 use rimroll::motion::{EventKind, FlatLanding, Shaken, shaken};
 use rimroll::{
     Body, ContactLaw, FrictionLaw, IdealLaw, Options, Shaking, State, Status, shake_many,

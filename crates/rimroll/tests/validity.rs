@@ -10,6 +10,7 @@ use cases::cases;
 use core::f64::consts::PI;
 use core::ops::ControlFlow;
 use proptest::prelude::*;
+use rimroll::law::DynamicsExt;
 use rimroll::motion::SPEED_OF_SOUND;
 use rimroll::{Body, ContactLaw, FrictionLaw, IdealLaw, Motion, Options, State, presets, simulate};
 

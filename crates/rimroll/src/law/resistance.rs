@@ -188,6 +188,15 @@ impl<L> Resisted<L> {
         &self.dynamics
     }
 
+    /// Adds the effect of resistance to the rates. It is not inlined, because a step has many copies of the rates.
+    #[inline(never)]
+    fn resisted<T: Real>(&self, u: &Coordinates<T>, rates: Coordinates<T>) -> Coordinates<T>
+    where
+        L: Dynamics<T>,
+    {
+        self.resist(u, rates, self.dynamics.contact(u).normal)
+    }
+
     /// Adds the effect of resistance to the rates, given the normal force (times sin φ).
     #[inline(always)]
     pub(crate) fn resist<T: Real>(
@@ -225,10 +234,11 @@ impl<T: Real, L: Dynamics<T>> Dynamics<T> for Resisted<L> {
     #[inline(always)]
     fn reduced_rates(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let rates = self.dynamics.reduced_rates(u);
-        if !self.resists {
-            return rates;
+        if self.resists {
+            self.resisted(u, rates)
+        } else {
+            rates
         }
-        self.resist(u, rates, self.dynamics.contact(u).normal)
     }
 
     fn contact(&self, u: &Coordinates<T>) -> Contact<T> {
@@ -256,8 +266,7 @@ impl<T: Real, L: Dynamics<T>> Dynamics<T> for Resisted<L> {
     }
 
     fn resistance_rate(&self, u: &Coordinates<T>) -> T {
-        let normal = self.dynamics.contact(u).normal;
-        self.resist(u, Coordinates::zero(), normal).w
+        self.resisted(u, Coordinates::zero()).w
     }
 
     fn friction_ratio(&self, u: &Coordinates<T>) -> Option<T> {

@@ -8,7 +8,7 @@ use crate::contact_law::ContactLaw;
 use crate::error_scale::ErrorScale;
 use crate::ground::Ground;
 use crate::impact;
-use crate::law::{DryDynamics, Dynamics, FrictionLaw, Parameters, Resistance, Table};
+use crate::law::{DryDynamics, Dynamics, DynamicsExt, FrictionLaw, Parameters, Resistance, Table};
 use crate::real::{Dual, Real, Scalar};
 use crate::slip_onset::{ROUNDING, along_and_across, rotated};
 use crate::state::Coordinates;

@@ -6,6 +6,7 @@ use super::instant::{Instant, Phase};
 use super::options::Options;
 use super::trajectory::Trajectory;
 use crate::ending::{Ending, EndingKind, OnItsSide, Status};
+use crate::law::DynamicsExt;
 use crate::solve::Work;
 
 /// The ending of a motion with this status and the terminal event of its last phase.

@@ -12,7 +12,7 @@ use super::trajectory::Trajectory;
 use super::turns;
 use crate::ending::{FACE_DOWN_TILT, STOPPED_TILT};
 use crate::error_scale::ErrorScale;
-use crate::law::Dynamics;
+use crate::law::{Dynamics, DynamicsExt};
 use crate::solve::Step;
 use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES, TIME};
 

@@ -1,6 +1,6 @@
 //! All quantities of a motion at one instant, as users read them.
 
-use crate::law::{Contact, Dynamics};
+use crate::law::{Contact, Dynamics, DynamicsExt};
 use crate::state::Coordinates;
 
 /// The names of the quantities at one instant, in SI units and radians.

@@ -1,7 +1,7 @@
 //! The system of differential equations of one phase, with its error scales and time transformation.
 
 use crate::error_scale::ErrorScale;
-use crate::law::{Dynamics, Parameters};
+use crate::law::{Dynamics, DynamicsExt, Parameters};
 use crate::real::Real;
 use crate::solve::System;
 use crate::state::{COORDINATES, COORDINATES_AT_REST, Coordinates, IGNORABLE, RIGID_COORDINATES};

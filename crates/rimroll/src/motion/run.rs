@@ -23,7 +23,7 @@ use super::step_record::StepRecord;
 use super::trajectory::Trajectory;
 use crate::ending::{FACE_DOWN_TILT, Status};
 use crate::error_scale::{ErrorScale, max_brief_change};
-use crate::law::Parameters;
+use crate::law::{DynamicsExt, Parameters};
 use crate::solve::{Implicit, ImplicitStep, Work};
 use crate::state::{COORDINATES, Coordinates, TIME};
 use core::f64::consts::PI;

@@ -31,7 +31,7 @@ use super::phase_system::{IndependentVariable, PhaseSystem, leading};
 use super::trajectory::Trajectory;
 use super::turns::Turn;
 use crate::error::InvalidInput;
-use crate::law::{Dynamics, FrictionLaw, Frictionless, NoSlip, Parameters};
+use crate::law::{DynamicsExt, FrictionLaw, Frictionless, NoSlip, Parameters};
 use crate::real::{Dual, Slopes};
 use crate::solve::Step;
 use crate::state::{COORDINATES, Coordinates, RIGID_COORDINATES, TIME};

@@ -1,12 +1,11 @@
 //! SIMD lanes: sixteen numbers on x86-64 and eight on other architectures.
 //!
 //! Every operation acts on each lane as on an `f64`. So the result of a lane does not depend on its neighbours
-//! or on the width of the registers, and equals the scalar result to the last bit. All functions are inlined
-//! into a caller that is compiled for the processor's registers, where an operation takes one or two
-//! instructions per register.
+//! or on the width of the registers, and equals the scalar result to the last bit. With SIMD registers all functions
+//! are inlined into a caller that is compiled for them, where an operation takes one or two instructions per register.
 
 use super::register::Register;
-use super::{Real, elementary, even_and_odd};
+use super::{Real, elementary, even_and_odd, outlined};
 use core::hint::black_box;
 use core::ops::{Add, Div, Mul, Neg, Not, Sub};
 
@@ -167,6 +166,9 @@ pub trait Mask<L>: Copy + core::fmt::Debug + Not<Output = Self> {
 impl<R: Register, const COUNT: usize> Packed<R, COUNT> {
     #[inline(always)]
     fn each(self, f: impl Fn(R) -> R) -> Self {
+        if R::OUTLINED {
+            return Packed(outlined::map(&self.0, f));
+        }
         let mut result = self;
         for_each_register!(COUNT, i => result.0[i] = f(self.0[i]));
         result
@@ -174,6 +176,9 @@ impl<R: Register, const COUNT: usize> Packed<R, COUNT> {
 
     #[inline(always)]
     fn each_with(self, other: Self, f: impl Fn(R, R) -> R) -> Self {
+        if R::OUTLINED {
+            return Packed(outlined::map_2(&self.0, &other.0, f));
+        }
         let mut result = self;
         for_each_register!(COUNT, i => result.0[i] = f(self.0[i], other.0[i]));
         result
@@ -229,6 +234,9 @@ impl<R: Grouped, const COUNT: usize> Vector for Packed<R, COUNT> {
 
     #[inline(always)]
     fn at_most(self, other: Self) -> Self::Mask {
+        if R::OUTLINED {
+            return Flagged(outlined::map_2(&self.0, &other.0, R::at_most));
+        }
         let mut flags = [R::at_most(self.0[0], other.0[0]); COUNT];
         for_each_register!(COUNT - 1, i => flags[i + 1] = R::at_most(self.0[i + 1], other.0[i + 1]));
         Flagged(flags)
@@ -238,6 +246,9 @@ impl<R: Grouped, const COUNT: usize> Vector for Packed<R, COUNT> {
 impl<R: Register, const COUNT: usize> Mask<Packed<R, COUNT>> for Flagged<R, COUNT> {
     #[inline(always)]
     fn choose(self, yes: Packed<R, COUNT>, no: Packed<R, COUNT>) -> Packed<R, COUNT> {
+        if R::OUTLINED {
+            return Packed(outlined::map_3(&self.0, &yes.0, &no.0, R::choose));
+        }
         let mut result = no;
         for_each_register!(COUNT, i => result.0[i] = R::choose(self.0[i], yes.0[i], no.0[i]));
         result
@@ -259,6 +270,9 @@ impl<R: Register, const COUNT: usize> Mask<Packed<R, COUNT>> for Flagged<R, COUN
 
     #[inline(always)]
     fn or(self, other: Self) -> Self {
+        if R::OUTLINED {
+            return Flagged(outlined::map_2(&self.0, &other.0, R::or));
+        }
         let mut result = self;
         for_each_register!(COUNT, i => result.0[i] = R::or(self.0[i], other.0[i]));
         result
@@ -266,6 +280,9 @@ impl<R: Register, const COUNT: usize> Mask<Packed<R, COUNT>> for Flagged<R, COUN
 
     #[inline(always)]
     fn and(self, other: Self) -> Self {
+        if R::OUTLINED {
+            return Flagged(outlined::map_2(&self.0, &other.0, R::and));
+        }
         let mut result = self;
         for_each_register!(COUNT, i => result.0[i] = R::and(self.0[i], other.0[i]));
         result
@@ -276,6 +293,9 @@ impl<R: Register, const COUNT: usize> Not for Flagged<R, COUNT> {
     type Output = Self;
     #[inline(always)]
     fn not(self) -> Self {
+        if R::OUTLINED {
+            return Flagged(outlined::map(&self.0, R::not));
+        }
         let mut result = self;
         for_each_register!(COUNT, i => result.0[i] = R::not(self.0[i]));
         result
@@ -383,6 +403,10 @@ impl<R: Register, const COUNT: usize> Real for Packed<R, COUNT> {
 
     #[inline(always)]
     fn where_negative(self, yes: Self, no: Self) -> Self {
+        if R::OUTLINED {
+            let negative = outlined::map(&self.0, |a| R::less(a, R::all(0.0)));
+            return Flagged::<R, COUNT>(negative).choose(yes, no);
+        }
         let mut result = no;
         for_each_register!(COUNT, i => {
             let is_negative = R::less(self.0[i], R::all(0.0));
@@ -400,6 +424,11 @@ impl<R: Register, const COUNT: usize> elementary::FloatBits for Packed<R, COUNT>
 
     #[inline(always)]
     fn frexp(self) -> [Self; 2] {
+        if R::OUTLINED {
+            let exponent = outlined::map(&self.0, |a| R::frexp(a)[0]);
+            let mantissa = outlined::map(&self.0, |a| R::frexp(a)[1]);
+            return [Packed(exponent), Packed(mantissa)];
+        }
         let [mut k, mut m] = [self; 2];
         for_each_register!(COUNT, i => [k.0[i], m.0[i]] = R::frexp(self.0[i]));
         [k, m]

@@ -2,14 +2,11 @@
 
 use super::kernel::{SimdKernel, Task};
 #[cfg(target_arch = "x86_64")]
-use super::x86::{Avx2, Avx512, run_in_sse2};
+use super::x86::{Avx2, Avx512};
 
-/// Runs a computation in registers that every processor of the architecture has.
+/// Runs a computation on any processor.
 fn run_anywhere<K: SimdKernel>(kernel: K) -> K::Done {
-    #[cfg(target_arch = "x86_64")]
-    return run_in_sse2(kernel);
-    #[cfg(not(target_arch = "x86_64"))]
-    return kernel.run::<super::lanes::Lanes>();
+    kernel.run::<super::lanes::Lanes>()
 }
 
 /// Runs a computation in the widest registers. A debug build contains only one width, which shortens its

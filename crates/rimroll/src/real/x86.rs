@@ -1,5 +1,4 @@
-//! The SIMD registers of x86-64 processors: SSE2 with two numbers, AVX2 with four and AVX-512 with eight. Every such
-//! processor has SSE2.
+//! The SIMD registers of x86-64 processors: AVX2 with four numbers and AVX-512 with eight.
 //!
 //! SIMD registers are addressed explicitly, because compilers shuffle lanes that are held in arrays: many of the
 //! instructions would then only move numbers between lanes.
@@ -37,11 +36,6 @@ struct Zmm(__m512d);
 #[repr(transparent)]
 struct Ymm(__m256d);
 
-/// Two numbers.
-#[derive(Debug, Clone, Copy)]
-#[repr(transparent)]
-struct Xmm(__m128d);
-
 impl Grouped for Zmm {
     type Part = Packed<Zmm, { LANES / 8 }>;
 }
@@ -49,11 +43,6 @@ impl Grouped for Zmm {
 /// Two registers for each quantity. All lanes would need four, too many for the sixteen registers of AVX2.
 impl Grouped for Ymm {
     type Part = Packed<Ymm, 2>;
-}
-
-/// Four registers for each quantity, which hold as many lanes as with AVX2.
-impl Grouped for Xmm {
-    type Part = Packed<Xmm, 4>;
 }
 
 /// A proof that the processor has AVX-512F.
@@ -112,11 +101,6 @@ impl Avx2 {
     }
 }
 
-/// Runs a computation in SSE2 registers.
-pub(super) fn run_in_sse2<K: SimdKernel>(kernel: K) -> K::Done {
-    kernel.run::<Packed<Xmm, { LANES / 2 }>>()
-}
-
 /// Evaluates intrinsics.
 macro_rules! instruction {
     ($operation:expr) => {
@@ -128,6 +112,7 @@ macro_rules! instruction {
 impl Register for Zmm {
     type Flags = __mmask8;
     const WIDTH: usize = 8;
+    const OUTLINED: bool = false;
 
     inlined! {
         all(value: f64) -> Zmm = Zmm(instruction!(_mm512_set1_pd(value)));
@@ -186,99 +171,68 @@ impl Register for Zmm {
     }
 }
 
-/// Implements [`Register`] for SSE2 and AVX2. Their flags are elements with all bits set or none. They lack an
-/// arithmetic right shift of 64-bit integers, which is done by adding 2⁶³, a logical shift and a subtraction.
-macro_rules! register_without_masks {
-    (
-        $register:ident($flags:ident) of $width:literal,
-        $all:ident $load:ident $store:ident
-        $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident $max:ident $min:ident
-        $xor:ident $and:ident $and_not:ident $or:ident $bits:ident
-        ($less:expr) ($at_most:expr);
-        $whole:ident $as_whole:ident $as_numbers:ident
-        $add_whole:ident $sub_whole:ident $xor_whole:ident $shift_left:ident $shift_right:ident
-    ) => {
-        impl Register for $register {
-            type Flags = $flags;
-            const WIDTH: usize = $width;
+/// Flags are numbers with all bits set or none. AVX2 lacks an arithmetic right shift of 64-bit integers, which is done
+/// by adding 2⁶³, a logical shift and a subtraction.
+impl Register for Ymm {
+    type Flags = __m256d;
+    const WIDTH: usize = 4;
+    const OUTLINED: bool = false;
 
-            inlined! {
-                all(value: f64) -> $register = $register(instruction!($all(value)));
-                add(a: $register, b: $register) -> $register = $register(instruction!($add(a.0, b.0)));
-                sub(a: $register, b: $register) -> $register = $register(instruction!($sub(a.0, b.0)));
-                mul(a: $register, b: $register) -> $register = $register(instruction!($mul(a.0, b.0)));
-                div(a: $register, b: $register) -> $register = $register(instruction!($div(a.0, b.0)));
-                neg(a: $register) -> $register = $register(instruction!($xor(a.0, $all(-0.0))));
-                sqrt(a: $register) -> $register = $register(instruction!($sqrt(a.0)));
-                abs(a: $register) -> $register = $register(instruction!($and_not($all(-0.0), a.0)));
-                max(a: $register, b: $register) -> $register = $register(instruction!($max(a.0, b.0)));
-                min(a: $register, b: $register) -> $register = $register(instruction!($min(a.0, b.0)));
-                less(a: $register, b: $register) -> $flags = instruction!($less(a.0, b.0));
-                at_most(a: $register, b: $register) -> $flags = instruction!($at_most(a.0, b.0));
-                // The blend intrinsic would defeat `opaque`, because compilers turn it back into a comparison. They
-                // choose the blend instruction by themselves where the flags are not opaque.
-                choose(flags: $flags, yes: $register, no: $register) -> $register =
-                    $register(instruction!($or($and(flags, yes.0), $and_not(flags, no.0))));
-                and(a: $flags, b: $flags) -> $flags = instruction!($and(a, b));
-                or(a: $flags, b: $flags) -> $flags = instruction!($or(a, b));
-                not(a: $flags) -> $flags = instruction!($xor(a, $as_numbers($whole(-1))));
-                opaque(a: $flags) -> $flags = black_box(a);
-                bits(a: $flags) -> u8 = instruction!($bits(a)) as u8;
-                ldexp_one(shifted: $register) -> $register = $register(instruction!({
-                    let k = $shift_left::<{ FRACTION as i32 }>($as_whole(shifted.0));
-                    $as_numbers($add_whole(k, $whole(ONE_BITS)))
-                }));
-                approx_16th_root_of(a: $register, b: $register) -> $register = $register(instruction!({
-                    let logarithm = $sub_whole($as_whole(a.0), $as_whole(b.0));
-                    let shifted = $shift_right::<4>($xor_whole(logarithm, $whole(i64::MIN)));
-                    let root = $sub_whole(shifted, $whole(1 << (63 - 4)));
-                    $as_numbers($add_whole(root, $whole(ONE_BITS)))
-                }));
-                frexp(x: $register) -> [$register; 2] = instruction!({
-                    let bits = $as_whole(x.0);
-                    let from_half = $sub_whole(bits, $whole(SQRT_HALF));
-                    let shifted = $shift_right::<{ FRACTION as i32 }>($xor_whole(from_half, $whole(i64::MIN)));
-                    let exponent = $sub_whole(shifted, $whole(1 << (63 - FRACTION)));
-                    let m = $sub_whole(bits, $shift_left::<{ FRACTION as i32 }>(exponent));
-                    let k = $add_whole(exponent, $whole(ROUNDER_BITS));
-                    let k = $sub($as_numbers(k), $all(ROUNDER));
-                    [$register(k), $register($as_numbers(m))]
-                });
-            }
+    inlined! {
+        all(value: f64) -> Ymm = Ymm(instruction!(_mm256_set1_pd(value)));
+        add(a: Ymm, b: Ymm) -> Ymm = Ymm(instruction!(_mm256_add_pd(a.0, b.0)));
+        sub(a: Ymm, b: Ymm) -> Ymm = Ymm(instruction!(_mm256_sub_pd(a.0, b.0)));
+        mul(a: Ymm, b: Ymm) -> Ymm = Ymm(instruction!(_mm256_mul_pd(a.0, b.0)));
+        div(a: Ymm, b: Ymm) -> Ymm = Ymm(instruction!(_mm256_div_pd(a.0, b.0)));
+        neg(a: Ymm) -> Ymm = Ymm(instruction!(_mm256_xor_pd(a.0, _mm256_set1_pd(-0.0))));
+        sqrt(a: Ymm) -> Ymm = Ymm(instruction!(_mm256_sqrt_pd(a.0)));
+        abs(a: Ymm) -> Ymm = Ymm(instruction!(_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.0)));
+        max(a: Ymm, b: Ymm) -> Ymm = Ymm(instruction!(_mm256_max_pd(a.0, b.0)));
+        min(a: Ymm, b: Ymm) -> Ymm = Ymm(instruction!(_mm256_min_pd(a.0, b.0)));
+        less(a: Ymm, b: Ymm) -> __m256d = instruction!(_mm256_cmp_pd::<_CMP_LT_OQ>(a.0, b.0));
+        at_most(a: Ymm, b: Ymm) -> __m256d = instruction!(_mm256_cmp_pd::<_CMP_LE_OQ>(a.0, b.0));
+        // The blend intrinsic would defeat `opaque`, because compilers turn it back into a comparison. They
+        // choose the blend instruction by themselves where the flags are not opaque.
+        choose(flags: __m256d, yes: Ymm, no: Ymm) -> Ymm =
+            Ymm(instruction!(_mm256_or_pd(_mm256_and_pd(flags, yes.0), _mm256_andnot_pd(flags, no.0))));
+        and(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_and_pd(a, b));
+        or(a: __m256d, b: __m256d) -> __m256d = instruction!(_mm256_or_pd(a, b));
+        not(a: __m256d) -> __m256d = instruction!(_mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_set1_epi64x(-1))));
+        opaque(a: __m256d) -> __m256d = black_box(a);
+        bits(a: __m256d) -> u8 = instruction!(_mm256_movemask_pd(a)) as u8;
+        ldexp_one(shifted: Ymm) -> Ymm = Ymm(instruction!({
+            let k = _mm256_slli_epi64::<{ FRACTION as i32 }>(_mm256_castpd_si256(shifted.0));
+            _mm256_castsi256_pd(_mm256_add_epi64(k, _mm256_set1_epi64x(ONE_BITS)))
+        }));
+        approx_16th_root_of(a: Ymm, b: Ymm) -> Ymm = Ymm(instruction!({
+            let logarithm = _mm256_sub_epi64(_mm256_castpd_si256(a.0), _mm256_castpd_si256(b.0));
+            let shifted = _mm256_srli_epi64::<4>(_mm256_xor_si256(logarithm, _mm256_set1_epi64x(i64::MIN)));
+            let root = _mm256_sub_epi64(shifted, _mm256_set1_epi64x(1 << (63 - 4)));
+            _mm256_castsi256_pd(_mm256_add_epi64(root, _mm256_set1_epi64x(ONE_BITS)))
+        }));
+        frexp(x: Ymm) -> [Ymm; 2] = instruction!({
+            let bits = _mm256_castpd_si256(x.0);
+            let from_half = _mm256_sub_epi64(bits, _mm256_set1_epi64x(SQRT_HALF));
+            let shifted = _mm256_srli_epi64::<{ FRACTION as i32 }>(_mm256_xor_si256(from_half, _mm256_set1_epi64x(i64::MIN)));
+            let exponent = _mm256_sub_epi64(shifted, _mm256_set1_epi64x(1 << (63 - FRACTION)));
+            let m = _mm256_sub_epi64(bits, _mm256_slli_epi64::<{ FRACTION as i32 }>(exponent));
+            let k = _mm256_add_epi64(exponent, _mm256_set1_epi64x(ROUNDER_BITS));
+            let k = _mm256_sub_pd(_mm256_castsi256_pd(k), _mm256_set1_pd(ROUNDER));
+            [Ymm(k), Ymm(_mm256_castsi256_pd(m))]
+        });
+    }
 
-            #[inline(always)]
-            fn load(numbers: &[f64]) -> $register {
-                let numbers = &numbers[..Self::WIDTH];
-                // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers, as above.
-                $register(unsafe { $load(numbers.as_ptr()) })
-            }
+    #[inline(always)]
+    fn load(numbers: &[f64]) -> Ymm {
+        let numbers = &numbers[..Self::WIDTH];
+        // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers, as above.
+        Ymm(unsafe { _mm256_loadu_pd(numbers.as_ptr()) })
+    }
 
-            #[inline(always)]
-            fn store(a: $register, numbers: &mut [f64]) {
-                let numbers = &mut numbers[..Self::WIDTH];
-                // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers, as above.
-                unsafe { $store(numbers.as_mut_ptr(), a.0) }
-            }
-        }
-    };
-}
-
-register_without_masks! {
-    Ymm(__m256d) of 4,
-    _mm256_set1_pd _mm256_loadu_pd _mm256_storeu_pd
-    _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd _mm256_max_pd _mm256_min_pd
-    _mm256_xor_pd _mm256_and_pd _mm256_andnot_pd _mm256_or_pd _mm256_movemask_pd
-    (_mm256_cmp_pd::<_CMP_LT_OQ>) (_mm256_cmp_pd::<_CMP_LE_OQ>);
-    _mm256_set1_epi64x _mm256_castpd_si256 _mm256_castsi256_pd
-    _mm256_add_epi64 _mm256_sub_epi64 _mm256_xor_si256 _mm256_slli_epi64 _mm256_srli_epi64
-}
-
-register_without_masks! {
-    Xmm(__m128d) of 2,
-    _mm_set1_pd _mm_loadu_pd _mm_storeu_pd
-    _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_sqrt_pd _mm_max_pd _mm_min_pd
-    _mm_xor_pd _mm_and_pd _mm_andnot_pd _mm_or_pd _mm_movemask_pd
-    (_mm_cmplt_pd) (_mm_cmple_pd);
-    _mm_set1_epi64x _mm_castpd_si128 _mm_castsi128_pd
-    _mm_add_epi64 _mm_sub_epi64 _mm_xor_si128 _mm_slli_epi64 _mm_srli_epi64
+    #[inline(always)]
+    fn store(a: Ymm, numbers: &mut [f64]) {
+        let numbers = &mut numbers[..Self::WIDTH];
+        // SAFETY: the slice has `WIDTH` numbers, and the processor has these registers, as above.
+        unsafe { _mm256_storeu_pd(numbers.as_mut_ptr(), a.0) }
+    }
 }

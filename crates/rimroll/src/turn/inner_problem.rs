@@ -18,7 +18,7 @@ use crate::contact_law::ContactLaw;
 use crate::error::{InvalidInput, bounded, finite, positive};
 use crate::law::FrictionLaw;
 use crate::law::IdealLaw;
-use crate::law::{Coulomb, Viscous};
+use crate::law::{Coulomb, DynamicsExt, Viscous};
 use crate::motion::{Contacts, Options, Phase, Status, pass_near_collision, simulate};
 use crate::state::{Coordinates, State};
 use core::ops::ControlFlow;

@@ -5,6 +5,7 @@
 
 use crate::random_cases::{Case, GRAVITY, falling_rate, follow};
 use core::f64::consts::FRAC_PI_2;
+use rimroll::law::DynamicsExt;
 use rimroll::law::{Coulomb, DryFriction, DryFrictionModel, Stribeck};
 use rimroll::motion::{COLUMNS, EventKind, Instant, Phase};
 use rimroll::turn::painleve_friction;

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::error::not_negative;
+use crate::law::DynamicsExt;
 use crate::law::{Friction, FrictionForce};
 use crate::presets;
 use crate::real::Real;

@@ -2,6 +2,7 @@
 
 use super::pass_near_collision;
 use crate::ending::Status;
+use crate::law::DynamicsExt;
 use crate::motion::contacts::Contacts;
 use crate::motion::flat_landing::{FlatLanding, plastic_factor, rocked_over};
 use crate::motion::instant::{Instant, Phase};

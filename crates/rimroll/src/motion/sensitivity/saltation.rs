@@ -23,7 +23,7 @@ use super::{values, with_values};
 use crate::error::InvalidInput;
 use crate::error_scale::ErrorScale;
 use crate::impact;
-use crate::law::{Dynamics, FrictionLaw, IdealLaw};
+use crate::law::{DynamicsExt, FrictionLaw, IdealLaw};
 use crate::motion::Motion;
 use crate::motion::contacts::tilting_energy_over_standing;
 use crate::motion::flat_landing::{FlatLanding, plastic_factor, rocked_over};

@@ -3,7 +3,7 @@
 use super::collocated::Linearised;
 use super::shaken_slope::Number;
 use super::{CoordinatesAndRates, values};
-use crate::law::Parameters;
+use crate::law::{DynamicsExt, Parameters};
 use crate::motion::contacts::Contacts;
 use crate::motion::instant::Phase;
 use crate::motion::level_base::{LevelEquations, LevelMotion, PLACES};
