@@ -126,11 +126,11 @@ export const en = {
     },
     rolling: {
       label: "Rolling resistance",
-      help: "Resisting force over normal force: about 0.0001 for a hard rim on a hard table. It slows the motion down.",
+      help: "Resistance force over normal force: about 0.0001 for a hard rim on a hard table. It slows the motion down.",
     },
     restitution: {
       label: "Bounce",
-      help: "Coefficient of restitution when the rim lands after it has left the table.",
+      help: "Coefficient of restitution when the rim lands after a flight.",
     },
     gravity: { label: "Gravity", help: "9.81 on Earth, 1.62 on the Moon." },
     duration: { label: "Duration", help: "The time for which the motion is computed." },
@@ -174,7 +174,7 @@ export const en = {
     },
     flat: {
       label: "Flat landing",
-      help: "What follows where the whole base comes down at once, which rigid-body mechanics does not determine.",
+      help: "What happens after the whole base lands at once. Rigid-body mechanics does not determine it.",
       choices: {
         stop: "The motion ends",
         smooth_left: "Runs round to the left",
@@ -252,7 +252,7 @@ export const en = {
     onceOnly: "Applies to a sine and a cosine only.",
     pad: "Move the table",
     padHelp:
-      "Drag here to move the table, a millimetre for a pixel. When you let go, the body is shaken as you moved. The arrow keys move it, too.",
+      "Drag here to move the table, one millimetre per pixel. When you let go, the body is shaken by the same motion. The arrow keys move the table, too.",
     balanceTilt: "Balance tilt",
     beyondBalance: "beyond it a body at rest falls over",
     largestTilt: "Largest tilt",
@@ -277,9 +277,10 @@ export const en = {
         }[state]
       } after ${after}, when the computation ends.`,
     stops: (after: string) =>
-      `The base comes down flat after ${after}, and the motion ends, because “Flat landing” says so. Rigid-body mechanics does not determine what follows.`,
+      `The base comes down flat after ${after}, and the motion ends, as “Flat landing” is set. Rigid-body mechanics does not determine what follows.`,
     isStill: "The floor does not move.",
-    moves: (far: string, strong: string) => `The floor moves by up to ${far}, at up to ${strong}.`,
+    moves: (far: string, strong: string) =>
+      `The floor moves by up to ${far} and accelerates at up to ${strong}.`,
     beginsToRock: (body: BodyName, at: string) =>
       `The ${NOUNS[body]} begins to rock at ${at} (uplift).`,
     rocksAgain: (body: BodyName, at: string) =>
@@ -309,7 +310,7 @@ export const en = {
     toFlick: "To flick it, let go while your hand moves.",
     /** What would follow if the hand let go now. */
     wouldBe: {
-      floorMoves: "If you let go at rest now, the floor begins to move.",
+      floorMoves: "If you let go at rest now, the floor will begin to move.",
       nothing: "If you let go at rest now, there would be no motion.",
       rocked: (angle: string, after: string) =>
         `If you let go at rest now, its contact point would run round by ${angle} on its way down and up to the next tilt maximum, after ${after}.`,
@@ -318,7 +319,7 @@ export const en = {
       toppled: (angle: string, after: string) =>
         `If you let go at rest now, its contact point would run round by ${angle}, and it would fall over after ${after}.`,
       fell_back: (after: string) =>
-        `If you let go at rest now, it would fall over the way it leans, after ${after}.`,
+        `If you let go at rest now, it would fall over toward the side it leans to, after ${after}.`,
       face_down: (after: string) =>
         `If you let go at rest now, it would come down flat, after ${after}.`,
       at_rest: (after: string) =>
@@ -346,7 +347,7 @@ export const en = {
     },
     fullTurn: (rest: string) => `That is one full turn and ${rest}.`,
     veers: (angle: string, side: "left" | "right") =>
-      `It veers ${angle} to the ${side} of straight across.`,
+      `That is ${angle} to the ${side} of straight across.`,
     ofAngle: (angle: string, until: "turn" | "fall" | "end") =>
       `of ${angle} ${{ turn: "in this turn", fall: "when it falls", end: "at the end" }[until]}`,
     comesDownFlat: "it comes down flat",
@@ -363,14 +364,15 @@ export const en = {
     stillComputing: (after: string) => `The motion after ${after} is still being computed.`,
     stillMoves: (after: string) => `It still moves after ${after}, when the computation ends.`,
     fallsOver: (after: string) => `It falls over after ${after}.`,
-    fallsBack: (after: string) => `It falls over after ${after}, the way it leans at first.`,
+    fallsBack: (after: string) =>
+      `It falls over after ${after}, toward the side it leans to at first.`,
     /** `after` is undefined at the start. */
     liftsOff: (after: string | undefined) =>
       `${after === undefined ? "At once" : `After ${after}`} the rim would leave the table. The ideal laws do not cover flight, so the motion ends here. Choose dry friction to follow it.`,
     comesToRest: (after: string) =>
       `It comes to rest after ${after}: its base lies flat and its energy is spent.`,
     painleve: (after: string, friction: string) =>
-      `Painlevé’s paradox after ${after}: with so much friction, rigid-body mechanics has no unique answer for the sliding rim. For this body, lying nearly flat, the paradox begins at a friction of ${friction}. Set less friction to follow the motion.`,
+      `Painlevé’s paradox after ${after}: with so much friction, rigid-body mechanics has no unique answer for the sliding rim. For this body, when it is nearly flat, the paradox begins at a friction of ${friction}. Set less friction to follow the motion.`,
     tooManySteps: (after: string) =>
       `The computation stops after ${after}, because it needs too many steps. Set a shorter duration.`,
     cannotContinue: (after: string, why: string) =>
@@ -390,17 +392,17 @@ export const en = {
     time: "Time",
     closer: "How can that be? Look closer",
     inLab: "Open this in the lab",
-    grasp: "Grab the top of the can, tip it and let go. A finger rests on it for a moment first.",
+    grasp: "Grab the top of the can, tip it and let go. With a finger, first hold it for a moment.",
     theCan: "The can, which you can tip",
     theBody: "The body on the table",
     noPicture:
-      "This browser cannot show the picture, because WebGL is off or missing. The words, numbers and curves need no picture.",
+      "This browser cannot show the picture, because WebGL is off or missing. The words, numbers and curves work without it.",
     atSmallest: "at the smallest tilt",
     fromSmallest: (time: string, when: "before" | "after") => `${time} ${when} the smallest tilt`,
     range: (label: string, from: string, to: string) => `${label} from ${from} to ${to}`,
     guessedWell: "Well guessed!",
     guessedOff: (angle: string, further: boolean) =>
-      `That is ${angle} ${further ? "further round" : "less far round"} than your guess.`,
+      `That is ${angle} ${further ? "beyond" : "short of"} your guess.`,
     cameUp: (said: string, straight: boolean, turned: string) =>
       `You said ${said}${straight ? ", straight across" : ""}. It came up at ${turned}.`,
     ranRound: (angle: string, time: string, body: BodyName, itself: string, gap: string) =>
@@ -424,7 +426,7 @@ export const en = {
     hand: (angle: string, gap: string, time: string) =>
       `The contact point ran round ${angle}. The gap under the rim fell to ${gap}, and most of the angle took ${time}.`,
     table: (angle: string, rolled: boolean, limit: string) =>
-      `The contact point ran round ${angle}, and the rim ${rolled ? "rolled all the way" : "slipped on the way"}. A can that comes down ever flatter tends to ${limit} on this table.`,
+      `The contact point ran round ${angle}, and the rim ${rolled ? "rolled all the way" : "slipped on the way"}. The flatter a can comes down, the closer its angle is to ${limit} on this table.`,
     cylinder: (angle: string, limit: string) =>
       `The contact point ran round ${angle}. The limit for this cylinder is ${limit}.`,
     limits: (angle: string, noSlip: string, frictionless: string) =>
@@ -449,11 +451,11 @@ export const en = {
       },
       rolls: {
         title: "It is rolling",
-        text: "Now from nearby, and time stretches while the contact point races round the rim. The posts show the gap under the rim, drawn a few thousand times higher. The contact point runs more than half way round in less than a ten-thousandth of a second, but the marks on the rim stay where they are: the can itself does not turn. It rolls along its rim.",
+        text: "Now from nearby: time stretches while the contact point races round the rim. The posts show the gap under the rim, drawn a few thousand times higher. The contact point runs more than half way round in less than a ten-thousandth of a second, but the marks on the rim stay where they are: the can itself does not turn. It rolls along its rim.",
       },
       same: {
         title: "The angle is the same every time",
-        text: "Let it go again and again. Chance decides between left and right, but not how far the contact point runs: close to 202° every time, and closer the flatter the can comes down. The limit depends only on the can:",
+        text: "Let it go again and again. Chance decides between left and right, but not how far the contact point runs. It is close to 202° every time, and the flatter the can comes down, the closer. The limit depends only on the can:",
         symbols:
           "m is its mass, R the radius of its base, H the height of its centre of mass, and A its moment of inertia for tipping about that centre.",
       },
@@ -560,17 +562,17 @@ export const en = {
     bears: "At one point of a rim that does not yield.",
     losses: "Energy lost in this turn",
     lossless:
-      "A real can loses a part in every turn, by sound, air and bending, and soon stands still. “Rolling resistance” is one such loss.",
+      "A real can loses energy to sound, air and bending in every turn, and soon stands still. “Rolling resistance” is one such loss.",
     loses: "Sound, air and bending, which are left out, take more.",
   },
 
   gyro: {
     title: "A phone in the body",
     intro:
-      "A gyroscope that turns with the body sees none of the contact point’s race. Across the axis it sees rays: the body falls along one and rises along the next. Each near-collision turns the ray by the angle of turn less 180°.",
+      "A gyroscope that turns with the body does not see the contact point race round. Across the axis it sees rays: the body falls along one and rises along the next. Each near-collision turns the ray by the angle of turn minus 180°.",
     save: "Save as phyphox CSV",
     saved: (name: string, command: string) => `${name} saved. Read it with: ${command}`,
-    veers: (angles: string) => `The first veers: ${angles}.`,
+    veers: (angles: string) => `The first turns of the ray: ${angles}.`,
     noTurn: "There is no complete turn, so no ray turns.",
     picture: (largest: string) =>
       `Angular velocity across the axis, in the frame of the body, up to ${largest}.`,
@@ -632,9 +634,9 @@ export const en = {
 
   sound: {
     name: "Sound",
-    turnOn: "Turn on the sound of the rim, as slow as the film",
+    turnOn: "Turn on the sound of the rim, slowed down like the film",
     turnOff: "Turn off the sound",
-    missing: "This browser plays no sound",
+    missing: "This browser cannot play sound",
   },
 
   plots: {
@@ -713,7 +715,7 @@ export const en = {
 
   compare: {
     title: "Compare with…",
-    help: "Shows a second motion beside the first, on the same clock.",
+    help: "Shows a second motion beside the first, at the same time.",
     presets: {
       ice: "Ice and rubber",
       coin: "Can and coin",
@@ -752,7 +754,7 @@ export const en = {
     none: "One of the bodies does not come down, so there is no turn to compare.",
     equal: (angle: string) => `The contact point ran round ${angle} in both, to one decimal.`,
     turns: (a: string, b: string, apart: string, further: boolean) =>
-      `The contact point ran round ${a} in A and ${b} in B: ${apart} ${further ? "further" : "less far"} in B.`,
+      `The contact point ran round ${a} in A and ${b} in B: ${apart} ${further ? "more" : "less"} in B.`,
     swap: "Swap A and B",
     stop: "Stop comparing",
     times: (ratio: string) => `× ${ratio}`,

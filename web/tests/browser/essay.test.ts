@@ -86,7 +86,7 @@ test("one predicts, lets go, and reads how far beside the guess it came up", asy
   expect(await guess.getAttribute("aria-valuetext")).toBe("190°, 10° beyond straight across");
   await section(page, "question").getByRole("button", { name: "Let go" }).click();
   await result(page, "question")
-    .getByText(/^You said 190°. It came up at 204°. That is 14° further round/)
+    .getByText(/^You said 190°. It came up at 204°. That is 14° beyond your guess/)
     .waitFor();
   await page.getByRole("link", { name: "How can that be? Look closer" }).click();
   await page.waitForURL(/#slap-or-roll$/);

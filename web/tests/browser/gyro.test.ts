@@ -12,7 +12,7 @@ test("its star and its rates are drawn, and its record can be saved", async () =
   const section = page.getByRole("region", { name: "A phone in the body" });
   const star = section.getByRole("img");
   expect(await star.getAttribute("aria-label")).toMatch(
-    /up to 6 rad\/s\. The first veers: \d\d\.\d°/,
+    /up to 6 rad\/s\. The first turns of the ray: \d\d\.\d°/,
   );
   await page.locator("#plot-gyroscope").waitFor({ state: "attached" });
   // The bright part of the path grows with time.

@@ -86,6 +86,6 @@ test("a browser without sound says so", async () => {
   await page.evaluate(() => Object.assign(globalThis, { AudioContext: undefined }));
   const sound = page.locator("#transport").getByRole("button", { name: "Sound" });
   await sound.click();
-  await page.locator('#transport [title="This browser plays no sound"]').waitFor();
+  await page.locator('#transport [title="This browser cannot play sound"]').waitFor();
   expect(await sound.getAttribute("aria-pressed")).toBe("false");
 });

@@ -91,8 +91,8 @@ test("a guess is compared in whole degrees", () => {
     cameUp(factsOf(passage, { noSlip: 0 } as never, setup, (degrees * Math.PI) / 180));
   const turned = Math.round((Math.abs(passage.angle) * 180) / Math.PI);
   expect(said(180)).toBe(
-    `You said 180°, straight across. It came up at ${turned}°. That is ${turned - 180}° further round than your guess.`,
+    `You said 180°, straight across. It came up at ${turned}°. That is ${turned - 180}° beyond your guess.`,
   );
-  expect(said(turned + 20)).toContain("20° less far round than your guess");
+  expect(said(turned + 20)).toContain("20° short of your guess");
   expect(said(turned - 2)).toContain("Well guessed!");
 });

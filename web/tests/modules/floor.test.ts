@@ -107,7 +107,7 @@ describe("in words", () => {
   test("a can that stands is lifted and overturns", () => {
     const { text, lowest, then } = words({ start: "standing" });
     expect(text).toMatch(
-      /^The floor moves by up to 3\d cm, at up to 8\.0 m\/s²\. The can begins to rock at [\d.]+\sms \(uplift\)\. Its largest tilt is 90\.0°\. The can overturns at [\d.]+\sms\.$/,
+      /^The floor moves by up to 3\d cm and accelerates at up to 8\.0 m\/s²\. The can begins to rock at [\d.]+\sms \(uplift\)\. Its largest tilt is 90\.0°\. The can overturns at [\d.]+\sms\.$/,
     );
     expect(lowest).toMatchObject({ name: "Largest tilt", number: "90.0°" });
     expect(then?.name).toBe("Uplift");

@@ -157,7 +157,7 @@ describe("in the hand", () => {
   });
 
   test.each([
-    ["leanFields past its balance", 60, {}, /would fall over the way it leans, after/],
+    ["leanFields past its balance", 60, {}, /would fall over toward the side it leans to, after/],
     ["without any sideways motion", 20, { sideways: 0 }, /would come down flat, after/],
     ["followed for too short a time", 20, { duration: 0.1 }, /not have come down and up again/],
   ] as const)("%s", (_how, tilt, changed, words) => {
