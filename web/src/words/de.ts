@@ -28,8 +28,8 @@ export const de: Table = {
 
   loading: "Wird geladen …",
   letGo: "Loslassen",
-  flickTimes: (count: number) => (count === 1 ? "Einmal schnippen" : `${count}-mal schnippen`),
-  flickAgain: (count: number) => `Noch ${count}-mal schnippen`,
+  flickTimes: (count: number) => (count === 1 ? "Einmal anstoßen" : `${count}-mal anstoßen`),
+  flickAgain: (count: number) => `Noch ${count}-mal anstoßen`,
   openLab: "Das Labor öffnen",
   notStarted: (why: string) =>
     `Die Seite konnte nicht starten: ${why}. Vielleicht hilft es, sie neu zu laden.`,
@@ -47,7 +47,7 @@ export const de: Table = {
         battery: "Batterie (AA)",
         euler_disk: "Eulersche Scheibe",
         own: "Eigener",
-        inertia: "Nach Trägheit",
+        inertia: "Über Trägheit",
       },
     },
     fill: {
@@ -56,7 +56,7 @@ export const de: Table = {
     },
     radius: { label: "Radius", help: "Radius des Randes." },
     length: { label: "Höhe", help: "Vom Boden bis zur Oberkante. 0 ist eine flache Scheibe." },
-    mass: { label: "Masse", help: "Gesamtmasse. Kein Laufwinkel hängt von ihr ab." },
+    mass: { label: "Masse", help: "Gesamtmasse. Kein Umlaufwinkel hängt von ihr ab." },
     wall: {
       label: "Masse in der Wand",
       help: "Anteil der Masse über der Bodenplatte: 0 ist ein voller Zylinder, 100 ein dünnes Rohr.",
@@ -80,23 +80,23 @@ export const de: Table = {
     tilt: { label: "Neigung", help: "Wie weit der Körper geneigt ist, wenn er losgelassen wird." },
     tilt_rate: {
       label: "Neigungsrate",
-      help: "Bei 0 wird der Körper in Ruhe losgelassen. Eine negative Rate stößt ihn zur Senkrechten hin.",
+      help: "Bei 0 wird der Körper in Ruhe losgelassen. Eine negative Rate stößt ihn in Richtung der Senkrechten an.",
     },
     sideways: {
       label: "Seitlicher Fehler",
-      help: "Wie schnell sich der Körper außerdem um die Richtung dreht, in die er geneigt ist. Keine Hand vermeidet diesen Fehler.",
+      help: "Wie schnell sich der Körper außerdem um die Linie dreht, in deren Richtung er geneigt ist. Keine Hand vermeidet diesen Fehler.",
     },
     twist: {
       label: "Drehung",
       help: "Wie schnell sich der Körper außerdem um die Senkrechte dreht.",
     },
     yaw: {
-      label: "Neigt sich nach",
+      label: "Geneigt nach",
       help: "Die Richtung der Neigung auf dem Tisch. Die ganze Bewegung dreht sich mit ihr.",
     },
     law: {
       label: "Tisch",
-      help: "Reibungsfrei und ohne Rutschen sind die zwei idealen Gesetze der Studie.",
+      help: "„Reibungsfrei“ und „Ohne Rutschen“ sind die zwei idealen Gesetze der Studie.",
       choices: {
         frictionless: "Reibungsfrei",
         coulomb: "Trockene Reibung",
@@ -113,17 +113,17 @@ export const de: Table = {
     },
     restitution: {
       label: "Rückprall",
-      help: "Stoßzahl, wenn der Rand landet, nachdem er den Tisch verlassen hat.",
+      help: "Stoßzahl, wenn der Rand nach einem Flug auf dem Tisch aufkommt.",
     },
-    gravity: { label: "Schwere", help: "9,81 auf der Erde, 1,62 auf dem Mond." },
+    gravity: { label: "Fallbeschleunigung", help: "9,81 auf der Erde, 1,62 auf dem Mond." },
     duration: { label: "Dauer", help: "Die Zeit, für die die Bewegung berechnet wird." },
     floor: {
       label: "Untergrund",
       help: "Ob sich der Untergrund bewegt. Der Tisch bewegt sich mit ihm und dreht sich nicht.",
-      choices: { rest: "In Ruhe", pulse: "Ein Stoß", hand: "Von Hand" },
+      choices: { rest: "In Ruhe", pulse: "Ein Puls", hand: "Von Hand" },
     },
     start: {
-      label: "Beginn",
+      label: "Start",
       help: "Ob der Körper anfangs geneigt ist oder flach auf seinem Boden steht.",
       choices: { tilted: "Geneigt", standing: "Flach stehend" },
     },
@@ -140,11 +140,11 @@ export const de: Table = {
     },
     shake: {
       label: "Amplitude",
-      help: "Größte waagerechte Beschleunigung. 9,81 ist die Schwere auf der Erde, 1 g.",
+      help: "Größte waagerechte Beschleunigung. 9,81 ist die Fallbeschleunigung auf der Erde, 1 g.",
     },
     vertical: {
       label: "Senkrecht",
-      help: "Größte senkrechte Beschleunigung; positive Werte zeigen zuerst nach oben.",
+      help: "Größte senkrechte Beschleunigung; ein positiver Wert beginnt nach oben.",
     },
     period: {
       label: "Periode",
@@ -153,11 +153,11 @@ export const de: Table = {
     cycles: { label: "Zyklen", help: "Anzahl der Schwingungen eines Sinus oder Kosinus." },
     direction: {
       label: "Richtung",
-      help: "Die Richtung der waagerechten Beschleunigung, gemessen wie „Neigt sich nach“.",
+      help: "Die Richtung der waagerechten Beschleunigung, gemessen wie „Geneigt nach“.",
     },
     flat: {
       label: "Flache Landung",
-      help: "Was folgt, wenn der ganze Boden auf einmal aufkommt. Die Mechanik starrer Körper legt es nicht fest.",
+      help: "Was folgt, wenn der ganze Boden auf einmal aufkommt. Die Mechanik starrer Körper legt das nicht fest.",
       choices: {
         stop: "Die Bewegung endet",
         smooth_left: "Läuft links herum",
@@ -169,7 +169,7 @@ export const de: Table = {
     falls: { label: "Stürze" },
     flicks: {
       label: "Versuche",
-      help: "Wie oft das Loslassen wiederholt wird. In der Studie: 42.",
+      help: "Wie oft das Loslassen wiederholt wird. In der Studie: 42-mal.",
     },
     unsteadiness: {
       label: "Unruhe der Hand",
@@ -187,13 +187,13 @@ export const de: Table = {
     noRecord: (label: string) => `${label}: Das ist keine Aufzeichnung dieser Seite.`,
     twoReadings: (label: string, text: string, sign: "." | ",") =>
       `${label}: „${text}“ lässt sich auf zwei Arten lesen; schreibe ${sign === "." ? "einen Punkt" : "ein Komma"} vor die Dezimalstellen und nichts zwischen die Tausender.`,
-    empty: (label: string) => `${label} braucht eine Zahl.`,
-    noNumber: (label: string, text: string) => `${label} muss eine Zahl sein, nicht „${text}“.`,
-    notWhole: (label: string, text: string) => `${label} muss eine ganze Zahl sein, nicht ${text}.`,
+    empty: (label: string) => `${label}: Hier fehlt eine Zahl.`,
+    noNumber: (label: string, text: string) => `${label}: „${text}“ ist keine Zahl.`,
+    notWhole: (label: string, text: string) => `${label}: Nötig ist eine ganze Zahl, nicht ${text}.`,
     between: (label: string, low: string, high: string, text: string) =>
-      `${label} muss größer als ${low} und kleiner als ${high} sein; ${text} liegt außerhalb.`,
+      `${label}: Der Wert muss größer als ${low} und kleiner als ${high} sein; ${text} liegt außerhalb.`,
     fromTo: (label: string, low: string, high: string, text: string) =>
-      `${label} muss von ${low} bis ${high} reichen; ${text} liegt außerhalb.`,
+      `${label}: Möglich sind Werte von ${low} bis ${high}; ${text} liegt außerhalb.`,
   },
 
   playback: {
@@ -239,11 +239,11 @@ export const de: Table = {
     pad: "Den Tisch bewegen",
     padHelp:
       "Ziehe hier, um den Tisch zu bewegen, einen Millimeter je Pixel. Wenn du loslässt, wird der Körper so gerüttelt, wie du gezogen hast. Die Pfeiltasten bewegen den Tisch ebenfalls.",
-    balanceTilt: "Kippneigung",
+    balanceTilt: "Kippwinkel",
     beyondBalance: "darüber hinaus fällt ein ruhender Körper um",
     largestTilt: "Größte Neigung",
-    ofBalance: (ratio: string) => `${ratio} der Kippneigung`,
-    uplift: "Abheben",
+    ofBalance: (ratio: string) => `${ratio} × Kippwinkel`,
+    uplift: "Kippbeginn",
     neverRocks: "er beginnt nie zu schaukeln",
     whenRocks: "wenn er zu schaukeln beginnt",
     leansAtStart: "der Körper ist anfangs geneigt",
@@ -252,7 +252,7 @@ export const de: Table = {
     overturnsInAir: (body: BodyName, after: string) =>
       `${Noun(body)} fällt um: Der Rand verlässt den Untergrund nach ${after}.`,
     undecided: (after: string) =>
-      `Die Kippneigung ist nach ${after} überschritten, wenn die Rechnung endet: Ob der Körper umfällt, ist nicht entschieden.`,
+      `Wenn die Rechnung nach ${after} endet, ist der Kippwinkel überschritten: Ob der Körper umfällt, ist nicht entschieden.`,
     survives: (state: "standing" | "sliding_flat" | "flying_level" | "moving", after: string) =>
       `Der Körper fällt nicht um. ${
         {
@@ -263,26 +263,26 @@ export const de: Table = {
         }[state]
       }, wenn die Rechnung endet.`,
     stops: (after: string) =>
-      `Der Boden kommt nach ${after} flach auf, und die Bewegung endet, weil „Flache Landung“ es so vorgibt. Die Mechanik starrer Körper legt nicht fest, was folgt.`,
+      `Der Boden kommt nach ${after} flach auf, und die Bewegung endet, wie unter „Flache Landung“ eingestellt. Die Mechanik starrer Körper legt nicht fest, was folgt.`,
     isStill: "Der Untergrund bewegt sich nicht.",
     moves: (far: string, strong: string) =>
-      `Der Untergrund bewegt sich um bis zu ${far}, mit bis zu ${strong}.`,
+      `Der Untergrund bewegt sich um bis zu ${far}, mit einer Beschleunigung bis ${strong}.`,
     beginsToRock: (body: BodyName, at: string) =>
-      `${Noun(body)} beginnt bei ${at} zu schaukeln (Abheben).`,
+      `${Noun(body)} beginnt bei ${at} zu schaukeln (Kippbeginn).`,
     rocksAgain: (body: BodyName, at: string) =>
       `${Noun(body)} ist anfangs geneigt, steht dann eine Weile flach und beginnt bei ${at} wieder zu schaukeln.`,
     leans: (body: BodyName) => `${Noun(body)} ist anfangs geneigt.`,
-    slides: (body: BodyName) => `${Noun(body)} rutscht auf dem Boden und beginnt nie zu schaukeln.`,
+    slides: (body: BodyName) => `${Noun(body)} rutscht auf ${its(body)} Boden und beginnt nie zu schaukeln.`,
     stands: (body: BodyName) =>
       `${Noun(body)} steht still auf dem Untergrund und beginnt nie zu schaukeln.`,
   },
 
   verdict: {
     turned: "Kontaktpunkt lief",
-    angleOfTurn: "Laufwinkel",
+    angleOfTurn: "Umlaufwinkel",
     itself: (body: BodyName) => `${Noun(body)} selbst`,
     meanwhile: "drehte sich dabei",
-    whenLetGo: "zu sehen, wenn du loslässt",
+    whenLetGo: "nach dem Loslassen zu sehen",
     ifLetGo: "wenn du jetzt loslässt",
     theory: "In der Theorie",
     smallestTilt: "Kleinste Neigung",
@@ -291,21 +291,21 @@ export const de: Table = {
     perSecond: "Umläufe je Sekunde",
     perSecondAt: (speed: string) => `Umläufe je Sekunde, mit ${speed}`,
     inHand: "In deiner Hand",
-    leansToward: (way: string) => `neigt sich nach ${way}`,
+    leansToward: (way: string) => `geneigt nach ${way}`,
     leansInHand: (tilt: string, way: string) =>
       `In deiner Hand ist der Körper um ${tilt} nach ${way} geneigt.`,
-    toFlick: "Zum Schnippen lass los, während sich deine Hand bewegt.",
+    toFlick: "Um Schwung zu geben, lass los, während sich deine Hand bewegt.",
     wouldBe: {
       floorMoves: "Lässt du jetzt in Ruhe los, beginnt sich der Untergrund zu bewegen.",
       nothing: "Lässt du jetzt in Ruhe los, gibt es keine Bewegung.",
       rocked: (angle: string, after: string) =>
-        `Lässt du jetzt in Ruhe los, läuft der Kontaktpunkt auf dem Weg hinunter und hinauf zur nächsten größten Neigung nach ${after} um ${angle}.`,
+        `Lässt du jetzt in Ruhe los, läuft der Kontaktpunkt um ${angle} herum, während der Körper fällt und bis zum nächsten Neigungsmaximum nach ${after} wieder steigt.`,
       hovered: (after: string) =>
         `Lässt du jetzt in Ruhe los, ist der Körper nach ${after}, wenn die Rechnung endet, noch nicht hinunter und wieder hinauf gelangt.`,
       toppled: (angle: string, after: string) =>
-        `Lässt du jetzt in Ruhe los, läuft der Kontaktpunkt um ${angle}, und der Körper fällt nach ${after} um.`,
+        `Lässt du jetzt in Ruhe los, läuft der Kontaktpunkt um ${angle} herum, und der Körper fällt nach ${after} um.`,
       fell_back: (after: string) =>
-        `Lässt du jetzt in Ruhe los, fällt der Körper nach ${after} dorthin um, wohin er geneigt ist.`,
+        `Lässt du jetzt in Ruhe los, fällt der Körper nach ${after} zu der Seite um, zu der er geneigt ist.`,
       face_down: (after: string) =>
         `Lässt du jetzt in Ruhe los, kommt der Körper nach ${after} flach auf.`,
       at_rest: (after: string) =>
@@ -317,9 +317,9 @@ export const de: Table = {
       failed: "Lässt du jetzt in Ruhe los, scheitert die Rechnung.",
     },
     story: ({ start, end, endsWith, angle, time, body, itself, way }: Turned) => {
-      const from = start === undefined ? "Vom Loslassen" : `Von der größten Neigung bei ${start}`;
+      const from = start === undefined ? "Vom Loslassen" : `Vom Neigungsmaximum bei ${start}`;
       const to = {
-        maximum: "zur nächsten größten Neigung",
+        maximum: "zum nächsten Neigungsmaximum",
         fall: "zum Sturz",
         end: "zum Ende",
       }[endsWith];
@@ -328,42 +328,42 @@ export const de: Table = {
         same: `${itself} in dieselbe Richtung`,
         other: `${itself} in die Gegenrichtung`,
       };
-      return `${from}, hinunter und hinauf bis ${to} bei ${end}, läuft der Kontaktpunkt um ${angle}, das meiste davon in ${time}; ${NOUNS[body]} selbst dreht sich um ${turn[way]}.`;
+      return `${from}, hinunter und hinauf bis ${to} bei ${end}, läuft der Kontaktpunkt um ${angle} herum, das meiste davon in ${time};  ${NOUNS[body]} selbst dreht sich um ${turn[way]}.`;
     },
     rim: {
-      rolled: "Die Reibung reicht: Der Körper rollt den ganzen Weg.",
+      rolled: "Die Reibung reicht aus: Der Körper rollt die ganze Zeit.",
       slipped: "Der Rand rutscht unterwegs.",
       jumped: "Der Rand springt unterwegs vom Tisch.",
     },
     fullTurn: (rest: string) => `Das ist ein voller Umlauf und ${rest}.`,
     veers: (angle: string, side: "left" | "right") =>
-      `Das ist ${angle} nach ${SIDES[side]} neben geradeaus gegenüber.`,
+      `Das weicht um ${angle} nach ${SIDES[side]} von genau gegenüber ab.`,
     ofAngle: (angle: string, until: "turn" | "fall" | "end") =>
-      `von ${angle} ${{ turn: "in diesem Lauf", fall: "beim Sturz", end: "am Ende" }[until]}`,
+      `von ${angle} ${{ turn: "in diesem Umlauf", fall: "beim Sturz", end: "am Ende" }[until]}`,
     comesDownFlat: "der Körper kommt flach auf",
-    incomplete: "der nächste Lauf ist nicht vollständig",
+    incomplete: "der nächste Umlauf ist nicht vollständig",
     staysUp: "der Körper kommt nicht herunter",
     limitHere: "der Grenzwert auf diesem Tisch",
     asComputed: "wie hier berechnet",
-    below: (angle: string) => `${angle} unter dem berechneten Lauf`,
-    above: (angle: string) => `${angle} über dem berechneten Lauf`,
+    below: (angle: string) => `${angle} unter dem berechneten Winkel`,
+    above: (angle: string) => `${angle} über dem berechneten Winkel`,
     holds: (text: string, flat: boolean, untwisted: boolean) =>
-      `${text}; gilt für einen Körper, der ${[...(flat ? ["flach aufkommt"] : []), ...(untwisted ? ["nicht verdreht wird"] : [])].join(" und ")}`,
+      `${text}; gilt für einen Körper, der ${[...(flat ? ["flach aufkommt"] : []), ...(untwisted ? ["ohne Drehung startet"] : [])].join(" und ")}`,
     noMotion: (why: string) => `Es gibt keine Bewegung zu zeigen: ${why}.`,
     stillComputing: (after: string) => `Die Bewegung nach ${after} wird noch berechnet.`,
     stillMoves: (after: string) =>
       `Der Körper bewegt sich nach ${after} noch, wenn die Rechnung endet.`,
     fallsOver: (after: string) => `Der Körper fällt nach ${after} um.`,
     fallsBack: (after: string) =>
-      `Der Körper fällt nach ${after} dorthin um, wohin er anfangs geneigt ist.`,
+      `Der Körper fällt nach ${after} zu der Seite um, zu der er anfangs geneigt ist.`,
     liftsOff: (after: string | undefined) =>
-      `${after === undefined ? "Sofort" : `Nach ${after}`} würde der Rand den Tisch verlassen. Die idealen Gesetze gelten nicht für den Flug, deshalb endet die Bewegung hier. Wähle trockene Reibung, um sie weiter zu verfolgen.`,
+      `${after === undefined ? "Sofort" : `Nach ${after}`} würde der Rand den Tisch verlassen. Die idealen Gesetze gelten nicht für den Flug, deshalb endet die Bewegung hier. Wähle trockene Reibung, um sie weiterzuverfolgen.`,
     comesToRest: (after: string) =>
       `Der Körper kommt nach ${after} zur Ruhe: Sein Boden liegt flach, und die Energie ist verbraucht.`,
     painleve: (after: string, friction: string) =>
-      `Painlevé-Paradoxon nach ${after}: Bei so viel Reibung gibt die Mechanik starrer Körper für den rutschenden Rand keine eindeutige Antwort. Für diesen Körper, der fast flach liegt, beginnt das Paradoxon bei einer Reibung von ${friction}. Stelle weniger Reibung ein, um der Bewegung zu folgen.`,
+      `Painlevé-Paradoxon nach ${after}: Bei so viel Reibung gibt die Mechanik starrer Körper für den rutschenden Rand keine eindeutige Antwort. Wenn dieser Körper fast flach liegt, beginnt das Paradoxon bei einer Reibung von ${friction}. Stelle weniger Reibung ein, um der Bewegung zu folgen.`,
     tooManySteps: (after: string) =>
-      `Die Rechnung hält nach ${after} an, weil sie zu viele Schritte braucht. Stelle eine kürzere Dauer ein.`,
+      `Die Rechnung bricht nach ${after} ab, weil sie zu viele Schritte braucht. Stelle eine kürzere Dauer ein.`,
     cannotContinue: (after: string, why: string) =>
       `Die Rechnung kann nach ${after} nicht weitergehen: ${why}.`,
     faceDownStraight: (after: string, least: string) =>
@@ -382,20 +382,20 @@ export const de: Table = {
     closer: "Wie kann das sein? Sieh genauer hin",
     inLab: "Das im Labor öffnen",
     grasp:
-      "Fasse die Dose oben an, kippe sie und lass los. Ein Finger ruht zuerst einen Moment auf ihr.",
+      "Fasse die Dose oben an, kippe sie und lass los. Mit dem Finger halte sie zuerst einen Moment.",
     theCan: "Die Dose, die du kippen kannst",
     theBody: "Der Körper auf dem Tisch",
     noPicture:
-      "Dieser Browser kann das Bild nicht zeigen, weil WebGL ausgeschaltet ist oder fehlt. Worte, Zahlen und Kurven brauchen kein Bild.",
+      "Dieser Browser kann das Bild nicht zeigen, weil WebGL ausgeschaltet ist oder fehlt. Texte, Zahlen und Kurven funktionieren ohne Bild.",
     atSmallest: "bei der kleinsten Neigung",
     fromSmallest: (time: string, when: "before" | "after") =>
       `${time} ${{ before: "vor", after: "nach" }[when]} der kleinsten Neigung`,
     range: (label: string, from: string, to: string) => `${label} von ${from} bis ${to}`,
     guessedWell: "Gut geschätzt!",
     guessedOff: (angle: string, further: boolean) =>
-      `Das ist ${angle} ${further ? "weiter" : "weniger weit"} herum als deine Schätzung.`,
+      `Das sind ${angle} ${further ? "mehr" : "weniger"}, als du geschätzt hast.`,
     cameUp: (said: string, straight: boolean, turned: string) =>
-      `Du hast ${said} gesagt${straight ? ", genau gegenüber" : ""}. Die Dose kam bei ${turned} hoch.`,
+      `Du hast ${said} geschätzt${straight ? ", genau gegenüber" : ""}. Die Dose kam bei ${turned} hoch.`,
     ranRound: (angle: string, time: string, body: BodyName, itself: string, gap: string) =>
       `Der Kontaktpunkt lief um ${angle} herum, das meiste davon in ${time}. ${Noun(body)} selbst drehte sich um ${itself}. Der Spalt unter ${its(body)} Rand schrumpfte auf ${gap}, aber ein Punkt des Randes berührte immer den Tisch.`,
     straight: (angle: string) => `${angle}, genau gegenüber`,
@@ -407,7 +407,7 @@ export const de: Table = {
     body: "Körper",
     bodies: { coin: "Münze", ring: "Ring", battery: "Batterie", bottle: "Flasche" },
     lines: {
-      turn: "Laufwinkel",
+      turn: "Umlaufwinkel",
       limit: "Grenzwert",
       here: "Grenzwert auf diesem Tisch",
       noSlip: "ohne Rutschen",
@@ -415,9 +415,9 @@ export const de: Table = {
       noSlipLimit: "Grenzwert ohne Rutschen",
     },
     hand: (angle: string, gap: string, time: string) =>
-      `Der Kontaktpunkt lief um ${angle} herum. Der Spalt unter dem Rand schrumpfte auf ${gap}, und das meiste des Winkels dauerte ${time}.`,
+      `Der Kontaktpunkt lief um ${angle} herum. Der Spalt unter dem Rand schrumpfte auf ${gap}, und der größte Teil des Winkels dauerte ${time}.`,
     table: (angle: string, rolled: boolean, limit: string) =>
-      `Der Kontaktpunkt lief um ${angle} herum, und der Rand ${rolled ? "rollte den ganzen Weg" : "rutschte unterwegs"}. Je flacher eine Dose aufkommt, desto näher kommt sie auf diesem Tisch an ${limit}.`,
+      `Der Kontaktpunkt lief um ${angle} herum, und der Rand ${rolled ? "rollte die ganze Zeit" : "rutschte unterwegs"}. Je flacher eine Dose aufkommt, desto näher kommt ihr Winkel auf diesem Tisch an ${limit}.`,
     cylinder: (angle: string, limit: string) =>
       `Der Kontaktpunkt lief um ${angle} herum. Der Grenzwert für diesen Zylinder ist ${limit}.`,
     limits: (angle: string, noSlip: string, frictionless: string) =>
@@ -434,35 +434,35 @@ export const de: Table = {
     steps: {
       looks: {
         title: "Es sieht aus wie Schaukeln",
-        text: "Kippe eine Dose und lass sie los. Sie scheint flach auf den Tisch zu schlagen und auf der anderen Seite hochzuschaukeln. Der Film hält oben an: Die Dose ist nicht gegenüber hochgekommen, sondern 23° daneben.",
+        text: "Kippe eine Dose und lass sie los. Sie scheint flach auf den Tisch zu schlagen und auf der anderen Seite hochzuschaukeln. Der Film hält am höchsten Punkt an: Die Dose ist nicht gegenüber hochgekommen, sondern 23° daneben.",
       },
       slower: {
-        title: "Sieh langsamer hin",
-        text: "Lass sie aus einer kleinen Neigung los und sieh fünfzigmal langsamer zu. Der Boden schlägt nie auf den Tisch. Er liegt beinahe flach, aber nur ein Punkt seines Randes berührt den Tisch.",
+        title: "Noch einmal langsamer",
+        text: "Lass sie aus einer kleinen Neigung los und sieh fünfzigmal langsamer zu. Der Boden schlägt nie auf den Tisch. Er kommt ihm sehr nahe, aber nur ein Punkt seines Randes berührt den Tisch.",
       },
       rolls: {
         title: "Sie rollt",
-        text: "Jetzt aus der Nähe, und die Zeit dehnt sich, während der Kontaktpunkt um den Rand rast. Die Stäbe zeigen den Spalt unter dem Rand, einige tausendmal höher gezeichnet. Der Kontaktpunkt läuft in weniger als einer Zehntausendstelsekunde mehr als halb herum, aber die Marken am Rand bleiben, wo sie sind: Die Dose selbst dreht sich nicht. Sie rollt auf ihrem Rand.",
+        text: "Jetzt aus der Nähe: Die Zeit dehnt sich, während der Kontaktpunkt um den Rand rast. Die Stäbe zeigen den Spalt unter dem Rand, einige tausendmal höher gezeichnet. Der Kontaktpunkt läuft in weniger als einer Zehntausendstelsekunde mehr als halb herum, aber die Marken am Rand bleiben, wo sie sind: Die Dose selbst dreht sich nicht. Sie rollt auf ihrem Rand.",
       },
       same: {
         title: "Der Winkel ist jedes Mal derselbe",
-        text: "Lass sie wieder und wieder los. Der Zufall entscheidet zwischen links und rechts, aber nicht, wie weit der Kontaktpunkt läuft: jedes Mal nahe 202°, und umso näher, je flacher die Dose aufkommt. Der Grenzwert hängt nur von der Dose ab:",
+        text: "Lass sie wieder und wieder los. Der Zufall entscheidet zwischen links und rechts, aber nicht, wie weit der Kontaktpunkt läuft. Es sind jedes Mal etwa 202°, und je flacher die Dose aufkommt, desto genauer. Der Grenzwert hängt nur von der Dose ab:",
         symbols:
           "m ist ihre Masse, R der Radius ihres Bodens, H die Höhe ihres Schwerpunkts und A ihr Trägheitsmoment für das Kippen um diesen Punkt.",
       },
       friction: {
         title: "Reibung",
-        text: "Auf einem Tisch ohne Reibung gleitet die Dose, statt zu rollen, und der Winkel ist 221°. Ein echter Tisch liegt dazwischen. Die Autoren der Studie schnippten eine Dose 42-mal an und maßen Mittelwerte von 213° nach links und 218° nach rechts. Versuche eine Reibung nahe 0,1 und ändere den Tisch, um die zwei Buckel wandern zu sehen.",
+        text: "Auf einem Tisch ohne Reibung rutscht die Dose, statt zu rollen, und der Winkel ist 221°. Ein echter Tisch liegt dazwischen. Die Autoren der Studie stießen eine Dose 42-mal an und maßen Mittelwerte von 213° nach links und 218° nach rechts. Versuche eine Reibung nahe 0,1 und ändere den Tisch, um die beiden Buckel wandern zu sehen.",
       },
       yourTurn: {
         title: "Jetzt du",
-        text: "Fasse den Körper oben an und neige ihn. Lass los, oder schnippe ihn, indem du loslässt, während sich deine Hand bewegt. Ändere den Körper und den Tisch, fülle die Flasche, drehe eine Münze. Um eine Bewegung zu behalten oder zu zeigen, nimm „Teilen“ weiter unten.",
+        text: "Fasse den Körper oben an und neige ihn. Lass ihn los oder gib ihm Schwung, indem du loslässt, während sich deine Hand bewegt. Ändere den Körper und den Tisch, fülle die Flasche, drehe eine Münze. Um eine Bewegung zu behalten oder zu zeigen, nimm „Teilen“ weiter unten.",
       },
     },
     histogram: (from: string, to: string, width: string) =>
-      `Laufwinkel der Stürze, von ${from} bis ${to} in Balken von ${width}.`,
+      `Umlaufwinkel der Stürze, von ${from} bis ${to} in Balken von ${width}.`,
     caption: (width: string) =>
-      `Laufwinkel der Stürze: links oben, rechts unten, ${width} je Balken.`,
+      `Umlaufwinkel der Stürze: links oben, rechts unten, ${width} je Balken.`,
     measured: "Linien mit Punkt: Mittelwert und Streuung der Stürze in der Studie.",
     left: (count: number) => `links: ${count}`,
     right: (count: number) => `rechts: ${count}`,
@@ -474,13 +474,13 @@ export const de: Table = {
     clear: "Löschen",
     hand: "Die Hand",
     picture: "Richtungen, in die der Körper fiel, von oben gesehen",
-    left: "nach links von der Hand",
-    right: "nach rechts",
+    left: "links von der Hand",
+    right: "rechts davon",
     noSlip: "Grenzwert ohne Rutschen",
     frictionless: "Grenzwert ohne Reibung",
     here: "Grenzwert auf diesem Tisch",
     measured: (left: string, right: string) => `die Studie: ${left} und ${right}`,
-    twisted: "Die Grenzwerte gelten für einen Körper, der nicht verdreht wird.",
+    twisted: "Die Grenzwerte gelten für einen Körper, der ohne Drehung startet.",
     initialLean: "anfängliche Neigung",
     own: {
       title: "Eigene Stürze",
@@ -488,17 +488,17 @@ export const de: Table = {
       add: "Hinzufügen",
       clear: "Alle entfernen",
       refused:
-        "Gib Zahlen von 0 bis 360 mit Leerzeichen dazwischen ein, oder füge Links mit Stürzen ein.",
+        "Gib Zahlen von 0 bis 360 mit Leerzeichen dazwischen ein oder füge Links mit Stürzen ein.",
     },
     fit: {
       ask: "Welche Reibung passt?",
-      running: "Reibungen werden erprobt …",
+      running: "Reibungswerte werden probiert …",
       answer: (friction: string, low: string, high: string) =>
-        `Eine Reibung von ${friction} passt am besten; ${low} bis ${high} passen fast ebenso gut, wenn die Hand so ist wie hier eingestellt.`,
-      none: "Bei keiner der Reibungen fällt der Körper nach diesen Seiten.",
+        `Eine Reibung von ${friction} passt am besten; ${low} bis ${high} passen fast ebenso gut, wenn die Hand so ruhig ist wie hier eingestellt.`,
+      none: "Bei keinem Reibungswert fällt der Körper zu diesen Seiten.",
     },
     running: "Die Versuche laufen …",
-    none: "Dieser Aufbau lässt sich nicht schnippen.",
+    none: "Dieser Aufbau lässt sich nicht anstoßen.",
     summary: (made: number, sides: readonly SideCount[], fell: boolean, others: number) => {
       const each = sides.map(({ side, count, angle }) => {
         const to = fell ? `fielen nach ${SIDES[side]}` : `kamen ${SIDES[side]} hoch`;
@@ -506,7 +506,7 @@ export const de: Table = {
         if (count === 0) return `keiner ${one}`;
         return `${count} ${count === 1 ? one : to}, nach ${angle}`;
       });
-      const rest = others > 0 ? `; ${others} endeten anders` : "";
+      const rest = others > 0 ? `; ${others} ${others === 1 ? "endete" : "endeten"} anders` : "";
       return `Von ${made} ${made === 1 ? "Versuch" : "Versuchen"}: ${each.join("; ")}${rest}.`;
     },
   },
@@ -522,14 +522,14 @@ export const de: Table = {
       coarse: "100 µm, grob",
     },
     touches: (time: string, angle: string, whole: string) =>
-      `Bei dieser Rauheit berühren sie sich ${time} lang an mehreren Stellen. Währenddessen läuft der Kontaktpunkt um ${angle} von ${whole}; dieser Teil hängt von ihren Unebenheiten ab.`,
+      `Bei dieser Rauheit berühren sie sich ${time} lang an mehreren Stellen. Währenddessen läuft der Kontaktpunkt um ${angle} der ${whole} herum; dieser Teil hängt von ihren Unebenheiten ab.`,
     touchesOnce:
-      "Der Spalt bleibt weiter als diese Rauheit, deshalb berühren sich Rand und Tisch die ganze Zeit an einem Punkt.",
+      "Der Spalt bleibt größer als diese Rauheit, deshalb berühren sich Rand und Tisch die ganze Zeit an einem Punkt.",
     intro:
-      "Körper und Tisch sind hier vollkommen starr und glatt, der Rand ist ein vollkommener Kreis, und es gibt keine Luft. In dem Lauf, der zu sehen ist:",
+      "Körper und Tisch sind hier vollkommen starr und glatt, der Rand ist ein perfekter Kreis, und es gibt keine Luft. In dem gezeigten Umlauf:",
     none: "Dieser Körper kommt nicht herunter, deshalb gibt es nichts zu vergleichen.",
     trust:
-      "Wo eine Zahl über das hinausgeht, was ein echter Körper kann, traue weder dem Spalt noch der Geschwindigkeit. Traue dem Winkel, der kaum davon abhängt, wie klein der Spalt wird. Eine Hand macht einen seitlichen Fehler von etwa 0,02 rad/s.",
+      "Wo eine Zahl über das hinausgeht, was ein echter Körper kann, traue weder dem Spalt noch der Geschwindigkeit. Traue dem Winkel: Er hängt kaum davon ab, wie klein der Spalt wird. Eine Hand macht einen seitlichen Fehler von etwa 0,02 rad/s.",
     gap: "Kleinster Spalt unter dem Rand",
     gapTiny:
       "Kleiner als die Rauheit jedes Randes und Tisches, 1 bis 10 µm: Sie berühren sich an mehreren Stellen.",
@@ -541,29 +541,29 @@ export const de: Table = {
       "Schneller als der Schall in Stahl, Aluminium oder Glas, 5 bis 6 km/s: Rand und Tisch können ihm nicht rechtzeitig ausweichen.",
     speedNear: "Nicht viel langsamer als der Schall in Stahl, Aluminium oder Glas, 5 bis 6 km/s.",
     speedBelow: "Langsamer als der Schall in Stahl, Aluminium oder Glas, 5 bis 6 km/s.",
-    time: "Zeit für das meiste des Winkels",
+    time: "Zeit für den Großteil des Winkels",
     bends: (sound: string) =>
-      `Der Schall braucht ${sound} quer durch den Boden: Der Körper biegt sich und klingt, statt sich als Ganzes zu bewegen.`,
+      `Der Schall braucht ${sound} quer durch den Boden: Der Körper verbiegt sich und schwingt, statt sich als Ganzes zu bewegen.`,
     isRigid: (sound: string) =>
       `Der Schall braucht ${sound} quer durch den Boden: Der Körper bewegt sich als Ganzes.`,
     force: "Größte Kraft auf den Tisch",
     timesWeight: (ratio: string) => `${ratio} × das Gewicht`,
-    yields: "An einem Punkt: Ein echter Rand und Tisch geben dort nach, und der Körper klingt.",
+    yields: "An einem Punkt: Ein echter Rand und Tisch geben dort nach, und der Körper schwingt.",
     bears: "An einem Punkt eines Randes, der nicht nachgibt.",
-    losses: "Energieverlust in diesem Lauf",
+    losses: "Energieverlust in diesem Umlauf",
     lossless:
-      "Eine echte Dose verliert in jedem Lauf einen Teil durch Schall, Luft und Biegung und steht bald still. „Rollwiderstand“ ist ein solcher Verlust.",
-    loses: "Schall, Luft und Biegung, die weggelassen sind, nehmen mehr.",
+      "Eine echte Dose verliert in jedem Umlauf Energie durch Schall, Luft und Biegung und steht bald still. „Rollwiderstand“ ist ein solcher Verlust.",
+    loses: "Schall, Luft und Biegung, die hier fehlen, nehmen mehr weg.",
   },
 
   gyro: {
-    title: "Ein Telefon im Körper",
+    title: "Ein Smartphone im Körper",
     intro:
-      "Ein Gyroskop, das sich mit dem Körper dreht, sieht nichts vom Rasen des Kontaktpunkts. Quer zur Achse sieht es Strahlen: Der Körper fällt entlang des einen und steigt entlang des nächsten. Jeder Beinahe-Stoß dreht den Strahl um den Laufwinkel minus 180°.",
+      "Ein Gyroskop, das sich mit dem Körper dreht, sieht nichts davon, wie der Kontaktpunkt rast. Quer zur Achse sieht es Strahlen: Der Körper fällt entlang eines Strahls und steigt entlang des nächsten. Jeder Beinahe-Stoß dreht den Strahl um den Umlaufwinkel minus 180°.",
     save: "Als phyphox-CSV speichern",
     saved: (name: string, command: string) => `${name} gespeichert. Lies es mit: ${command}`,
-    veers: (angles: string) => `Die ersten Drehungen: ${angles}.`,
-    noTurn: "Es gibt keinen vollständigen Lauf, deshalb dreht sich kein Strahl.",
+    veers: (angles: string) => `Erste Drehungen des Strahls: ${angles}.`,
+    noTurn: "Es gibt keinen vollständigen Umlauf, deshalb dreht sich kein Strahl.",
     picture: (largest: string) =>
       `Winkelgeschwindigkeit quer zur Achse, im Bezugssystem des Körpers, bis ${largest}.`,
   },
@@ -577,7 +577,7 @@ export const de: Table = {
       copied: "Link kopiert.",
     },
     command: {
-      help: "Die Adresse dieser Seite gilt nur auf deinem Rechner. Dieser Befehl öffnet denselben Aufbau überall, wo rimroll installiert ist.",
+      help: "Die Adresse dieser Seite funktioniert nur auf deinem Rechner. Dieser Befehl öffnet denselben Aufbau überall, wo rimroll installiert ist.",
       label: "Befehl, der diesen Aufbau öffnet",
       copy: "Befehl kopieren",
       copied: "Befehl kopiert.",
@@ -593,7 +593,7 @@ export const de: Table = {
     copiedPython: "Python-Code kopiert.",
     csv: "CSV herunterladen",
     saved: (name: string) => `${name} heruntergeladen, in SI-Einheiten und Radiant.`,
-    select: "Ausgewählt: kopiere es mit Strg+C oder ⌘C.",
+    select: "Ausgewählt: Kopiere es mit Strg+C oder ⌘C.",
     samePython: "Dieselbe Bewegung in Python",
   },
 
@@ -608,7 +608,7 @@ export const de: Table = {
     back: "Voriges Bild",
     on: "Nächstes Bild",
     space: "Leertaste",
-    stretching: "Verlangsamt die Zeit von selbst, während der Kontaktpunkt um den Rand rast",
+    stretching: "Verlangsamt die Zeit automatisch, während der Kontaktpunkt um den Rand rast",
     of: (time: string, end: string) => `${time} von ${end}`,
     atCollision: "beim Stoß",
     fromCollision: (time: string, when: "before" | "after") =>
@@ -625,13 +625,13 @@ export const de: Table = {
 
   sound: {
     name: "Ton",
-    turnOn: "Den Ton des Randes einschalten, so langsam wie der Film",
+    turnOn: "Den Ton des Randes einschalten, verlangsamt wie der Film",
     turnOff: "Den Ton ausschalten",
-    missing: "Dieser Browser spielt keinen Ton",
+    missing: "Dieser Browser kann keinen Ton abspielen",
   },
 
   plots: {
-    absent: "Es gibt keine Bewegung darzustellen.",
+    absent: "Es gibt keine Bewegung, die sich darstellen lässt.",
     hint: "Ziehe über ein Diagramm, um es zu vergrößern; klicke, um zu einer Zeit zu gehen; doppelklicke für die ganze Bewegung. Auch das Mausrad vergrößert, nach einem Klick oder mit Strg. Auf einem Touchscreen geht ein Finger zu einer Zeit, und zwei Finger vergrößern.",
     nothing: "nichts zu zeigen",
     range: (low: string, high: string) => `zwischen ${low} und ${high}`,
@@ -641,7 +641,7 @@ export const de: Table = {
     since: (unit: string, origin: string) => `${unit} ab ${origin}`,
     collisionAt: (time: string) => `dem Stoß bei ${time}`,
     stretch: (from: string, to: string) => `von ${from} bis ${to}`,
-    about: (stretch: string, origin: string) => `${stretch} um ${origin}`,
+    about: (stretch: string, origin: string) => `${stretch}, gemessen ab ${origin}`,
     whole: "Ganze Bewegung",
     close: "Dieser Stoß",
     closeHelp: "Zeigt den Stoß, der der gezeigten Zeit am nächsten ist",
@@ -674,7 +674,7 @@ export const de: Table = {
         title: "Richtung",
         short: "Richtung",
         yaw: "Richtung der Neigung",
-        theory: "Theorie, erster Lauf",
+        theory: "Theorie, erster Umlauf",
       },
       rates: {
         title: "Raten",
@@ -711,17 +711,17 @@ export const de: Table = {
 
   compare: {
     title: "Vergleichen mit …",
-    help: "Zeigt eine zweite Bewegung neben der ersten, mit derselben Uhr.",
+    help: "Zeigt eine zweite Bewegung gleichzeitig neben der ersten.",
     presets: {
       ice: "Eis und Gummi",
       coin: "Dose und Münze",
-      mirror: "Dieser Beginn und sein Spiegelbild",
+      mirror: "Dieser Start und sein Spiegelbild",
       keep: "Diese Bewegung behalten und den Aufbau ändern",
     },
     keyA: "A, durchgezogen: der Aufbau oben",
     keyB: "B, gestrichelt: der andere",
     setup: "Aufbau",
-    turn: "Erster Lauf",
+    turn: "Erster Umlauf",
     difference: "B gegen A",
     rows: {
       turn: "Kontaktpunkt lief",
@@ -730,7 +730,7 @@ export const de: Table = {
       tilt: "Kleinste Neigung",
       gap: "Spalt unter dem Rand dabei",
       time: "Zeit bis dahin",
-      passage: "Zeit für das meiste des Winkels",
+      passage: "Zeit für den Großteil des Winkels",
       force: "Größte Kraft, in Gewichten",
       energy: "Verbliebene Energie",
       end: "Ende der ganzen Bewegung",
@@ -743,15 +743,15 @@ export const de: Table = {
       face_down: "kommt flach auf",
       at_rest: "in Ruhe",
       painleve: "keine Antwort",
-      failed: "hält an",
+      failed: "bricht ab",
     },
     same: "Beide Aufbauten sind noch gleich. Ändere den Aufbau oben: B bleibt, wie es ist.",
     refused: (which: "A" | "B", why: string) => `${which} hat keine Bewegung: ${why}.`,
-    none: "Einer der Körper kommt nicht herunter, deshalb gibt es keinen Lauf zu vergleichen.",
+    none: "Einer der Körper kommt nicht herunter, deshalb gibt es keinen Umlauf zu vergleichen.",
     equal: (angle: string) =>
-      `Der Kontaktpunkt lief in beiden um ${angle} herum, auf eine Dezimale genau.`,
+      `Der Kontaktpunkt lief in beiden um ${angle} herum, auf eine Nachkommastelle genau.`,
     turns: (a: string, b: string, apart: string, further: boolean) =>
-      `Der Kontaktpunkt lief in A um ${a} und in B um ${b} herum: ${apart} ${further ? "weiter" : "weniger weit"} in B.`,
+      `Der Kontaktpunkt lief in A um ${a} und in B um ${b} herum: ${apart} ${further ? "mehr" : "weniger"} in B.`,
     swap: "A und B tauschen",
     stop: "Vergleich beenden",
     times: (ratio: string) => `× ${ratio}`,
@@ -765,20 +765,20 @@ export const de: Table = {
   scene: {
     picture: "Der Körper auf dem Tisch",
     tip: "Halte den Körper einen Moment, dann kippe ihn.",
-    reset: "Ansicht zurück",
+    reset: "Startansicht",
     places: { above: "Von oben", contact: "Kontakt", below: "Von unten" },
     help: "So bedienst du dieses Bild",
     gestures:
-      "Ziehe den Körper, um ihn zu kippen; mit einem Finger halte ihn zuerst einen Moment. Lass los, um ihn freizugeben, oder lass in der Bewegung los, um ihn zu schnippen. Ziehe den Tisch, um von einer anderen Seite zu schauen. Zum Vergrößern ziehe zwei Finger auseinander oder drehe das Mausrad, nach einem Klick auf das Bild oder mit Strg.",
+      "Ziehe den Körper, um ihn zu kippen; mit einem Finger halte ihn zuerst einen Moment. Lass ihn los, oder lass ihn in der Bewegung los, um ihm Schwung zu geben. Ziehe den Tisch, um von einer anderen Seite zu schauen. Zum Vergrößern ziehe zwei Finger auseinander oder drehe das Mausrad, nach einem Klick auf das Bild oder mit Strg.",
     keysTitle: "Tasten, solange das Bild den Fokus hat:",
     keys: [
       ["← → ↑ ↓", "von einer anderen Seite schauen, auch von unten"],
       ["Bild auf, Bild ab", "vergrößern, verkleinern"],
       ["Pos1", "Ansicht zurücksetzen"],
       ["+ und −", "den Körper nehmen und um 1° kippen"],
-      ["Umschalt + ← →", "seine Neigung um 5° schwenken, während du ihn hältst"],
+      ["Umschalt + ← →", "seine Neigung um 5° herumdrehen, während du ihn hältst"],
       ["Eingabe", "ihn in Ruhe loslassen"],
-      ["Umschalt + Eingabe", "ihn mit den eingestellten Raten schnippen"],
+      ["Umschalt + Eingabe", "ihn mit den eingestellten Raten anstoßen"],
       ["Esc", "ihn zurückstellen"],
     ],
     rolls: "rollt",
@@ -789,7 +789,7 @@ export const de: Table = {
     noWebGL: "Dieser Browser kann das Bild nicht zeigen, weil WebGL ausgeschaltet ist oder fehlt.",
     rest: "Der Rest der Seite funktioniert: die Bewegung, die Winkel und die Diagramme.",
     stopped:
-      "Die Grafik dieses Browsers hat angehalten. Das Bild kehrt zurück, wenn sie wieder läuft.",
+      "Die Grafik dieses Browsers hat angehalten. Das Bild kommt zurück, wenn sie wieder läuft.",
     ranRound: (angle: string) => `Kontaktpunkt lief um ${angle}`,
     itself: (body: BodyName, angle: string) => `${NOUNS[body]} selbst drehte sich um ${angle}`,
     guess: (angle: string) => `deine Schätzung ${angle}`,
@@ -804,7 +804,7 @@ export const de: Table = {
     noSlipYet: "er rollt, ohne zu rutschen",
     slipped: (length: string) => `der Rand ist ${length} gerutscht`,
     runs: (rim: string, table: string, slip: string) =>
-      `In diesem Lauf ist der Kontaktpunkt ${rim} am Rand und ${table} auf dem Tisch entlanggelaufen: ${slip}.`,
+      `In diesem Umlauf ist der Kontaktpunkt ${rim} am Rand und ${table} auf dem Tisch entlanggelaufen: ${slip}.`,
   },
 
   prose: {
@@ -826,38 +826,38 @@ export const de: Table = {
       "Kippe eine Dose und lass sie los. Sie fällt zurück, ihr Boden trifft beinahe den Tisch, und sie steigt wieder. Drehe die Linie dorthin, wo sie deiner Meinung nach hochkommt, dann lass los.",
     "slap-or-roll.title": "Schlagen oder rollen?",
     "slap-or-roll.text":
-      "Sie kommt nicht genau gegenüber hoch, wie es ein Schaukelstuhl täte. Sie kommt {0} daneben hoch. Für das Auge schlägt der Boden auf den Tisch, und die Dose prallt weiter. Das geschieht aber nicht.",
+      "Sie kommt nicht genau gegenüber hoch, wie es ein Schaukelstuhl täte. Sie kommt {0} daneben hoch. Es sieht so aus, als schlüge der Boden auf den Tisch und die Dose prallte ab. Das geschieht aber nicht.",
     "slap-or-roll.slow":
-      "Hier wird die Zeit langsamer, wenn die Dose fast flach ist, und die Stäbe zeigen den Spalt unter dem Rand, höher gezeichnet, als er ist. Ein Punkt des Randes berührt den Tisch, und dieser Punkt läuft herum: den größten Teil des Weges in {0}. Achte auf die Marken am Rand. Sie bleiben, wo sie sind. Die Dose dreht sich nicht; sie rollt auf ihrem Rand.",
-    "hand.title": "Warum die Hand nicht zählt",
+      "Hier läuft die Zeit langsamer, wenn die Dose fast flach ist, und die Stäbe zeigen den Spalt unter dem Rand, höher gezeichnet, als er ist. Ein Punkt des Randes berührt den Tisch, und dieser Punkt läuft herum: den größten Teil des Weges in {0}. Achte auf die Marken am Rand. Sie bleiben, wo sie sind. Die Dose dreht sich nicht; sie rollt auf ihrem Rand.",
+    "hand.title": "Warum die Hand keine Rolle spielt",
     "hand.text":
-      "Keine Hand lässt vollkommen los. Ein kleiner seitlicher Fehler entscheidet, ob der Kontaktpunkt links oder rechts herum läuft und wie nahe der Boden dem Tisch kommt. Bewege den Regler: Spalt und Zeit ändern sich hundertfach. Der Winkel ändert sich kaum.",
+      "Keine Hand lässt perfekt los. Ein kleiner seitlicher Fehler entscheidet, ob der Kontaktpunkt links oder rechts herum läuft und wie nahe der Boden dem Tisch kommt. Bewege den Regler: Spalt und Zeit ändern sich hundertfach. Der Winkel ändert sich kaum.",
     "hand.limit":
       "Je ruhiger die Hand, desto näher liegt der Winkel an einem Grenzwert, {0} für diese Dose. Der Grenzwert hängt nur von der Dose ab:",
     "hand.symbols":
       "Dabei ist {0} ihre Masse, {1} der Radius ihres Bodens, {2} die Höhe ihres Schwerpunkts und {3} ihr Trägheitsmoment für das Kippen um diesen Punkt.",
     "friction.title": "Von Eis bis Gummi",
     "friction.text":
-      "Um so schnell zu rollen, muss der Rand auf dem Tisch haften. Ab einer Reibung von {0} rollt diese Dose den ganzen Weg. Mit weniger rutscht ihr Rand, und sie kommt woanders hoch. Ganz ohne Reibung ist der Grenzwert {1}.",
+      "Um so schnell zu rollen, muss der Rand auf dem Tisch haften. Ab einer Reibung von {0} rollt diese Dose die ganze Zeit. Mit weniger rutscht ihr Rand, und sie kommt woanders hoch. Ganz ohne Reibung ist der Grenzwert {1}.",
     "friction.try":
       "Bewege den Regler von Eis bis Gummi. Wo der Weg auf dem Tisch orange ist, rutscht der Rand.",
     "tall-and-flat.title": "Hoch und flach",
     "tall-and-flat.text":
-      "Ein hoher Körper schaukelt fast genau hinüber. Je flacher er ist, desto weiter läuft der Kontaktpunkt. Ändere die Höhe dieses vollen Zylinders und sieh, wo er hochkommt.",
+      "Ein hoher Körper schaukelt fast genau nach gegenüber. Je flacher er ist, desto weiter läuft der Kontaktpunkt. Ändere die Höhe dieses vollen Zylinders und sieh, wo er hochkommt.",
     "disks-and-coins.title": "Scheiben und Münzen",
     "disks-and-coins.text":
-      "Bei einer gleichmäßigen Scheibe ohne Höhe liegt der Schwerpunkt im Boden, und die Formel oben gibt {0} oder {1}: einen vollen Umlauf und {2} mehr. Die Reibung hat dann nichts zu sagen. Eine Münze kommt dem nahe. Vergleiche andere Körper.",
+      "Bei einer homogenen Scheibe ohne Höhe liegt der Schwerpunkt im Boden, und die Formel oben ergibt {0} oder {1}: einen vollen Umlauf und {2} mehr. Die Reibung spielt dann keine Rolle. Eine Münze kommt dem nahe. Vergleiche andere Körper.",
     "experiment.title": "Zweiundvierzig Versuche",
     "experiment.text":
-      "Die Autoren der Studie schnippten eine Dose 42-mal an und notierten, wohin sie fiel. Die mittleren Laufwinkel waren {0} nach links und {1} nach rechts, zwischen den Grenzwerten ohne Rutschen und ohne Reibung.",
+      "Die Autoren der Studie stießen eine Dose 42-mal an und notierten, wohin sie fiel. Die mittleren Umlaufwinkel waren {0} nach links und {1} nach rechts, zwischen den Grenzwerten ohne Rutschen und ohne Reibung.",
     "experiment.try":
-      "Schnippe hier die Dose mit einer unruhigen Hand und ändere dann die Reibung, bis deine Stürze dort liegen, wo ihre lagen. Welche Reibung passt am besten?",
-    "left-out.title": "Was weggelassen ist",
+      "Stoße die Dose hier mit unruhiger Hand an und ändere dann die Reibung, bis deine Stürze dort liegen, wo die der Autoren lagen. Welche Reibung passt am besten?",
+    "left-out.title": "Was hier fehlt",
     "left-out.text":
-      "Diese Dose und dieser Tisch sind vollkommen starr und glatt, und es gibt keine Luft. Wie gut ist das? Es hängt davon ab, wie nahe der Boden dem Tisch kommt. Die Liste zeigt die Zahlen dieser Bewegung, jede neben dem, was eine echte Dose zulässt. Lass die Hand ruhiger werden und sieh, welche keinen Sinn mehr ergeben.",
+      "Diese Dose und dieser Tisch sind vollkommen starr und glatt, und es gibt keine Luft. Wie gut stimmt das? Es hängt davon ab, wie nahe der Boden dem Tisch kommt. Die Liste zeigt die Zahlen dieser Bewegung, jede neben dem, was eine echte Dose zulässt. Lass die Hand ruhiger werden und sieh, welche keinen Sinn mehr ergeben.",
     "your-turn.title": "Jetzt du",
     "your-turn.text":
-      "Nimm die Dose selbst in die Hand. Im Labor kannst du mehr: den Körper, den Tisch und den Beginn ändern, die Flasche füllen, eine Münze drehen, den Untergrund rütteln, alle Kräfte und Energien sehen und behalten oder verschicken, was du findest.",
+      "Nimm die Dose selbst in die Hand. Im Labor kannst du mehr: den Körper, den Tisch und den Start ändern, die Flasche füllen, eine Münze drehen, den Untergrund rütteln, alle Kräfte und Energien sehen und behalten oder verschicken, was du findest.",
     "your-turn.lab": "Das Labor öffnen",
     "section.scene": "Der Tisch",
     "section.transport": "Zeit",
@@ -869,7 +869,7 @@ export const de: Table = {
     "section.flicks": "Zweiundvierzig Versuche",
     "section.share": "Teilen",
     "section.limits": "Was dieses Modell weglässt",
-    "section.gyro": "Ein Telefon im Körper",
+    "section.gyro": "Ein Smartphone im Körper",
     "foot.paper":
       "Die Mechanik folgt M. Srinivasan und A. Ruina, „Rocking and rolling: a can that appears to rock might actually roll“, {0}.",
     "foot.private":

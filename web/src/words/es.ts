@@ -21,6 +21,8 @@ const Noun = (body: BodyName) => NOUNS[body].charAt(0).toUpperCase() + NOUNS[bod
 /** “Itself”, with the gender of the body. */
 const self = (body: BodyName) => (NOUNS[body].startsWith("la") ? "misma" : "mismo");
 
+const leaning = (body: BodyName) => (NOUNS[body].startsWith("la") ? "inclinada" : "inclinado");
+
 const SIDES = { left: "a la izquierda", right: "a la derecha" } as const;
 
 export const es: Table = {
@@ -31,7 +33,7 @@ export const es: Table = {
   flickTimes: (count: number) => (count === 1 ? "Impulsar una vez" : `Impulsar ${count} veces`),
   flickAgain: (count: number) => `Impulsar ${count} veces más`,
   openLab: "Abrir el laboratorio",
-  notStarted: (why: string) => `La página no pudo empezar: ${why}. Quizá ayude volver a cargarla.`,
+  notStarted: (why: string) => `La página no pudo iniciarse: ${why}. Quizá ayude volver a cargarla.`,
 
   fields: {
     body: {
@@ -51,11 +53,11 @@ export const es: Table = {
     },
     fill: {
       label: "Llenado",
-      help: "Cuán llena está la lata o la botella. La bebida se mueve con ella como un sólido.",
+      help: "Cuánto contiene la lata o la botella. La bebida se mueve con ella como un sólido.",
     },
     radius: { label: "Radio", help: "Radio del borde." },
     length: { label: "Altura", help: "De la base a la parte superior. 0 es un disco plano." },
-    mass: { label: "Masa", help: "Masa total. Ningún ángulo de giro depende de ella." },
+    mass: { label: "Masa", help: "Masa total. Ningún ángulo recorrido depende de ella." },
     wall: {
       label: "Masa en la pared",
       help: "Parte de la masa por encima de la placa de la base: 0 es un cilindro macizo, 100 un tubo delgado.",
@@ -70,11 +72,11 @@ export const es: Table = {
     },
     transverse: {
       label: "A/m",
-      help: "Momento de inercia respecto a una recta transversal por el centro de masas, dividido por la masa.",
+      help: "Momento de inercia respecto a un eje transversal por el centro de masas, dividido entre la masa.",
     },
     axial: {
       label: "C/m",
-      help: "Momento de inercia respecto al eje del cuerpo, dividido por la masa. Ningún cuerpo rígido tiene más de 2 A/m.",
+      help: "Momento de inercia respecto al eje del cuerpo, dividido entre la masa. Ningún sólido rígido tiene más de 2 A/m.",
     },
     tilt: { label: "Inclinación", help: "Cuánto se inclina el cuerpo cuando se suelta." },
     tilt_rate: {
@@ -86,7 +88,7 @@ export const es: Table = {
       help: "Con qué rapidez gira además el cuerpo en torno a la dirección en que se inclina. Ninguna mano evita este error.",
     },
     twist: {
-      label: "Torsión",
+      label: "Giro",
       help: "Con qué rapidez gira además el cuerpo en torno a la vertical.",
     },
     yaw: {
@@ -95,7 +97,7 @@ export const es: Table = {
     },
     law: {
       label: "Mesa",
-      help: "Sin fricción y sin deslizar son las dos leyes ideales del artículo.",
+      help: "“Sin fricción” y “Sin deslizar” son las dos leyes ideales del artículo.",
       choices: {
         frictionless: "Sin fricción",
         coulomb: "Fricción seca",
@@ -104,27 +106,27 @@ export const es: Table = {
     },
     friction: {
       label: "Fricción",
-      help: "Coeficiente de fricción μ: la mayor fuerza de fricción dividida por la fuerza normal.",
+      help: "Coeficiente de fricción μ: fuerza de fricción máxima dividida entre la fuerza normal.",
     },
     rolling: {
-      label: "Resistencia a rodar",
-      help: "Fuerza de resistencia dividida por la fuerza normal: unos 0,0001 para un borde duro sobre una mesa dura. Frena el movimiento.",
+      label: "Resistencia a la rodadura",
+      help: "Fuerza de resistencia dividida entre la fuerza normal: unos 0,0001 para un borde duro sobre una mesa dura. Frena el movimiento.",
     },
     restitution: {
       label: "Rebote",
-      help: "Coeficiente de restitución cuando el borde cae tras haber dejado la mesa.",
+      help: "Coeficiente de restitución cuando el borde cae en la mesa tras un vuelo.",
     },
     gravity: { label: "Gravedad", help: "9,81 en la Tierra, 1,62 en la Luna." },
     duration: { label: "Duración", help: "El tiempo durante el que se calcula el movimiento." },
     floor: {
       label: "Suelo",
-      help: "Si el suelo se mueve. La mesa se mueve con él y no gira.",
+      help: "Indica si el suelo se mueve. La mesa se mueve con él, sin girar.",
       choices: { rest: "En reposo", pulse: "Un pulso", hand: "A mano" },
     },
     start: {
-      label: "Comienzo",
-      help: "Si el cuerpo está inclinado al principio o apoyado de plano sobre su base.",
-      choices: { tilted: "Inclinado", standing: "De pie" },
+      label: "Inicio",
+      help: "Indica si el cuerpo empieza inclinado o apoyado de plano sobre su base.",
+      choices: { tilted: "Inclinado", standing: "Apoyado" },
     },
     pulse: {
       label: "Forma",
@@ -139,11 +141,11 @@ export const es: Table = {
     },
     shake: {
       label: "Amplitud",
-      help: "Mayor aceleración horizontal. 9,81 es la gravedad en la Tierra, 1 g.",
+      help: "Aceleración horizontal máxima. 9,81 es la gravedad en la Tierra, 1 g.",
     },
     vertical: {
       label: "Vertical",
-      help: "Mayor aceleración vertical; si es positiva, va primero hacia arriba.",
+      help: "Aceleración vertical máxima; si es positiva, va primero hacia arriba.",
     },
     period: {
       label: "Período",
@@ -156,7 +158,7 @@ export const es: Table = {
     },
     flat: {
       label: "Caída de plano",
-      help: "Qué sigue cuando toda la base llega a la vez, que la mecánica de cuerpos rígidos no determina.",
+      help: "Qué pasa cuando toda la base llega a la vez. La mecánica del sólido rígido no lo determina.",
       choices: {
         stop: "El movimiento acaba",
         smooth_left: "Corre por la izquierda",
@@ -166,7 +168,7 @@ export const es: Table = {
     },
     record: { label: "Registro" },
     falls: { label: "Caídas" },
-    flicks: { label: "Impulsos", help: "Cuántas veces se repite la suelta. En el artículo: 42." },
+    flicks: { label: "Impulsos", help: "Cuántas veces se repite el intento. En el artículo: 42." },
     unsteadiness: {
       label: "Temblor de la mano",
       help: "Con 100, un impulso se desvía del centro unos 3°.",
@@ -211,13 +213,13 @@ export const es: Table = {
     hint: "Señala un ajuste para ver qué significa.",
     dryOnly: "Solo vale para la fricción seca.",
     tables: { ice: "hielo", wood: "madera", rubber: "goma" },
-    losses: { none: "nula", hard: "dura", soft: "blanda" },
-    lossesOf: (table: string, resistance: string) => `Resistencia a rodar: ${table}, ${resistance}`,
+    losses: { none: "nula", hard: "mesa dura", soft: "mesa blanda" },
+    lossesOf: (table: string, resistance: string) => `Resistencia a la rodadura: ${table}, ${resistance}`,
     frictionOf: (table: string, friction: string) => `Fricción de ${table}, ${friction}`,
     neededLabel: (friction: string) =>
-      `${friction}, la fricción que este cuerpo necesita para rodar por su casi colisión`,
+      `${friction}, la fricción que este cuerpo necesita para rodar durante su casi colisión`,
     neededHelp: (friction: string) =>
-      `Con ${friction} o más este cuerpo rueda por su casi colisión. Con menos desliza.`,
+      `Con ${friction} o más este cuerpo rueda durante su casi colisión. Con menos, se desliza.`,
     floor: (state: string) => `El suelo: ${state.charAt(0).toLowerCase()}${state.slice(1)}`,
     notLoaded: "No se pudieron cargar estos controles. Vuelve a cargar la página.",
   },
@@ -234,12 +236,12 @@ export const es: Table = {
     onceOnly: "Solo vale para un seno y un coseno.",
     pad: "Mover la mesa",
     padHelp:
-      "Arrastra aquí para mover la mesa, un milímetro por píxel. Cuando sueltes, el cuerpo será sacudido tal como la moviste. Las teclas de flecha también la mueven.",
-    balanceTilt: "Inclinación de equilibrio",
-    beyondBalance: "más allá de ella un cuerpo en reposo vuelca",
+      "Arrastra aquí para mover la mesa, un milímetro por píxel. Cuando sueltes, el cuerpo se sacudirá con ese mismo movimiento. Las teclas de flecha también la mueven.",
+    balanceTilt: "Ángulo de vuelco",
+    beyondBalance: "más allá, un cuerpo en reposo vuelca",
     largestTilt: "Mayor inclinación",
-    ofBalance: (ratio: string) => `${ratio} de la inclinación de equilibrio`,
-    uplift: "Despegue",
+    ofBalance: (ratio: string) => `${ratio} × el ángulo de vuelco`,
+    uplift: "Levantamiento",
     neverRocks: "nunca empieza a balancearse",
     whenRocks: "cuando empieza a balancearse",
     leansAtStart: "el cuerpo está inclinado al principio",
@@ -248,42 +250,42 @@ export const es: Table = {
     overturnsInAir: (body: BodyName, after: string) =>
       `${Noun(body)} vuelca: su borde deja el suelo a los ${after}.`,
     undecided: (after: string) =>
-      `Ha pasado su inclinación de equilibrio a los ${after}, cuando acaba el cálculo: queda sin decidir si vuelca.`,
+      `Cuando acaba el cálculo, a los ${after}, supera su ángulo de vuelco: no está decidido si vuelca.`,
     survives: (state: "standing" | "sliding_flat" | "flying_level" | "moving", after: string) =>
       `No vuelca. ${
         {
           standing: "Está apoyado de plano",
-          sliding_flat: "Todavía desliza sobre su base",
+          sliding_flat: "Todavía se desliza sobre su base",
           flying_level: "Está en el aire",
           moving: "Todavía se mueve",
         }[state]
       } a los ${after}, cuando acaba el cálculo.`,
     stops: (after: string) =>
-      `La base llega de plano a los ${after} y el movimiento acaba, porque “Caída de plano” así lo dice. La mecánica de cuerpos rígidos no determina qué sigue.`,
+      `La base llega de plano a los ${after} y el movimiento acaba, como indica “Caída de plano”. La mecánica del sólido rígido no determina qué sigue.`,
     isStill: "El suelo no se mueve.",
-    moves: (far: string, strong: string) => `El suelo se mueve hasta ${far}, con hasta ${strong}.`,
+    moves: (far: string, strong: string) => `El suelo se mueve hasta ${far}, con una aceleración de hasta ${strong}.`,
     beginsToRock: (body: BodyName, at: string) =>
-      `${Noun(body)} empieza a balancearse a los ${at} (despegue).`,
+      `${Noun(body)} empieza a balancearse a los ${at} (levantamiento).`,
     rocksAgain: (body: BodyName, at: string) =>
-      `${Noun(body)} se inclina al principio; se apoya de plano un rato y vuelve a balancearse a los ${at}.`,
-    leans: (body: BodyName) => `${Noun(body)} se inclina al principio.`,
+      `${Noun(body)} empieza ${leaning(body)}, queda un rato de plano y vuelve a balancearse a los ${at}.`,
+    leans: (body: BodyName) => `${Noun(body)} empieza ${leaning(body)}.`,
     slides: (body: BodyName) =>
-      `${Noun(body)} desliza sobre su base y nunca empieza a balancearse.`,
+      `${Noun(body)} se desliza sobre su base y nunca empieza a balancearse.`,
     stands: (body: BodyName) =>
       `${Noun(body)} está en reposo sobre el suelo y nunca empieza a balancearse.`,
   },
 
   verdict: {
     turned: "El contacto recorrió",
-    angleOfTurn: "Ángulo de giro",
+    angleOfTurn: "Ángulo recorrido",
     itself: (body: BodyName) => `${Noun(body)} ${self(body)}`,
     meanwhile: "giró entretanto",
-    whenLetGo: "se verá cuando sueltes",
+    whenLetGo: "se verá al soltar",
     ifLetGo: "si sueltas ahora",
     theory: "En teoría",
     smallestTilt: "Menor inclinación",
-    gap: (gap: string) => `una rendija de ${gap}`,
-    contactThen: "El contacto entonces",
+    gap: (gap: string) => `una separación de ${gap}`,
+    contactThen: "Contacto en ese instante",
     perSecond: "vueltas por segundo",
     perSecondAt: (speed: string) => `vueltas por segundo, a ${speed}`,
     inHand: "En tu mano",
@@ -291,7 +293,7 @@ export const es: Table = {
     leansInHand: (tilt: string, way: string) => `En tu mano se inclina ${tilt} hacia ${way}.`,
     toFlick: "Para impulsarlo, suelta mientras tu mano se mueve.",
     wouldBe: {
-      floorMoves: "Si sueltas ahora en reposo, el suelo empieza a moverse.",
+      floorMoves: "Si sueltas ahora en reposo, el suelo empezará a moverse.",
       nothing: "Si sueltas ahora en reposo, no habrá movimiento.",
       rocked: (angle: string, after: string) =>
         `Si sueltas ahora en reposo, su punto de contacto recorrerá ${angle} mientras baja y sube hasta la siguiente inclinación máxima, a los ${after}.`,
@@ -300,18 +302,18 @@ export const es: Table = {
       toppled: (angle: string, after: string) =>
         `Si sueltas ahora en reposo, su punto de contacto recorrerá ${angle} y volcará a los ${after}.`,
       fell_back: (after: string) =>
-        `Si sueltas ahora en reposo, volcará hacia donde se inclina, a los ${after}.`,
+        `Si sueltas ahora en reposo, volcará hacia el lado al que se inclina, a los ${after}.`,
       face_down: (after: string) => `Si sueltas ahora en reposo, caerá de plano a los ${after}.`,
       at_rest: (after: string) =>
         `Si sueltas ahora en reposo, quedará en reposo sobre su base a los ${after}.`,
       lifted_off: (after: string) =>
         `Si sueltas ahora en reposo, su borde dejará la mesa a los ${after}, donde acaban las leyes ideales.`,
       painleve: (after: string) =>
-        `Si sueltas ahora en reposo, llegará a la paradoja de Painlevé a los ${after}, donde la mecánica de cuerpos rígidos no tiene respuesta única.`,
+        `Si sueltas ahora en reposo, llegará a la paradoja de Painlevé a los ${after}, donde la mecánica del sólido rígido no tiene respuesta única.`,
       failed: "Si sueltas ahora en reposo, el cálculo fallará.",
     },
     story: ({ start, end, endsWith, angle, time, body, itself, way }: Turned) => {
-      const from = start === undefined ? "la suelta" : `la inclinación máxima en ${start}`;
+      const from = start === undefined ? "el inicio" : `la inclinación máxima a los ${start}`;
       const to = {
         maximum: "la siguiente inclinación máxima",
         fall: "su caída",
@@ -322,46 +324,46 @@ export const es: Table = {
         same: `${itself} en el mismo sentido`,
         other: `${itself} en sentido contrario`,
       };
-      return `Desde ${from}, bajando y subiendo hasta ${to} en ${end}, el punto de contacto recorre ${angle}, la mayor parte en ${time}; ${NOUNS[body]} ${self(body)} gira ${turn[way]}.`;
+      return `Desde ${from}, bajando y subiendo hasta ${to} a los ${end}, el punto de contacto recorre ${angle}, la mayor parte en ${time}; ${NOUNS[body]} ${self(body)} gira ${turn[way]}.`;
     },
     rim: {
-      rolled: "La fricción basta: rueda todo el camino.",
-      slipped: "El borde desliza en el camino.",
+      rolled: "La fricción basta: rueda todo el tiempo.",
+      slipped: "El borde se desliza en el camino.",
       jumped: "El borde salta de la mesa en el camino.",
     },
     fullTurn: (rest: string) => `Eso es una vuelta completa y ${rest}.`,
     veers: (angle: string, side: "left" | "right") =>
-      `Se desvía ${angle} ${SIDES[side]} del lado opuesto exacto.`,
+      `Queda ${angle} ${SIDES[side]} de justo enfrente.`,
     ofAngle: (angle: string, until: "turn" | "fall" | "end") =>
-      `de ${angle} ${{ turn: "en este giro", fall: "cuando cae", end: "al final" }[until]}`,
+      `de ${angle} ${{ turn: "en este recorrido", fall: "cuando cae", end: "al final" }[until]}`,
     comesDownFlat: "cae de plano",
-    incomplete: "el siguiente giro no está completo",
+    incomplete: "el siguiente recorrido no está completo",
     staysUp: "no baja",
     limitHere: "el límite en esta mesa",
-    asComputed: "como se calcula aquí",
-    below: (angle: string) => `${angle} menos que el giro calculado`,
-    above: (angle: string) => `${angle} más que el giro calculado`,
+    asComputed: "igual que el calculado aquí",
+    below: (angle: string) => `${angle} menos que el ángulo calculado`,
+    above: (angle: string) => `${angle} más que el ángulo calculado`,
     holds: (text: string, flat: boolean, untwisted: boolean) =>
-      `${text}; vale para un cuerpo que ${[...(flat ? ["cae de plano"] : []), ...(untwisted ? ["no lleva torsión"] : [])].join(" y ")}`,
+      `${text}; vale para un cuerpo que ${[...(flat ? ["cae de plano"] : []), ...(untwisted ? ["se suelta sin giro"] : [])].join(" y ")}`,
     noMotion: (why: string) => `No hay movimiento que mostrar: ${why}.`,
     stillComputing: (after: string) => `Todavía se está calculando el movimiento tras ${after}.`,
     stillMoves: (after: string) => `Todavía se mueve a los ${after}, cuando acaba el cálculo.`,
     fallsOver: (after: string) => `Vuelca a los ${after}.`,
-    fallsBack: (after: string) => `Vuelca a los ${after}, hacia donde se inclina al principio.`,
+    fallsBack: (after: string) => `Vuelca a los ${after}, hacia el lado de su inclinación inicial.`,
     liftsOff: (after: string | undefined) =>
       `${after === undefined ? "De inmediato" : `A los ${after}`} el borde dejaría la mesa. Las leyes ideales no abarcan el vuelo, así que el movimiento acaba aquí. Elige la fricción seca para seguirlo.`,
     comesToRest: (after: string) =>
       `Queda en reposo a los ${after}: su base está apoyada de plano y su energía se ha agotado.`,
     painleve: (after: string, friction: string) =>
-      `Paradoja de Painlevé a los ${after}: con tanta fricción, la mecánica de cuerpos rígidos no tiene respuesta única para el borde que desliza. Para este cuerpo, casi de plano, la paradoja empieza con una fricción de ${friction}. Pon menos fricción para seguir el movimiento.`,
+      `Paradoja de Painlevé a los ${after}: con tanta fricción, la mecánica del sólido rígido no tiene respuesta única para el borde que se desliza. Para este cuerpo casi de plano, la paradoja empieza con una fricción de ${friction}. Pon menos fricción para seguir el movimiento.`,
     tooManySteps: (after: string) =>
       `El cálculo se detiene a los ${after}, porque necesita demasiados pasos. Pon una duración menor.`,
     cannotContinue: (after: string, why: string) =>
       `El cálculo no puede continuar tras ${after}: ${why}.`,
     faceDownStraight: (after: string, least: string) =>
-      `De plano a los ${after}: sin movimiento lateral todo el borde llega a la mesa a la vez. La mecánica de cuerpos rígidos no determina qué sigue. Con cualquier error lateral, por pequeño que sea, el punto de contacto da la vuelta; se puede calcular un error de ${least} o más.`,
+      `De plano a los ${after}: sin movimiento lateral todo el borde llega a la mesa a la vez. La mecánica del sólido rígido no determina qué sigue. Con cualquier error lateral, por pequeño que sea, el punto de contacto da la vuelta; se puede calcular un error de ${least} o más.`,
     faceDownResisted: (after: string) =>
-      `De plano a los ${after}: la resistencia a rodar detiene el punto de contacto y la base golpea la mesa de plano. La mecánica de cuerpos rígidos no determina qué sigue cuando todos los puntos del borde chocan a la vez. Con menos resistencia o un error lateral mayor el punto de contacto da la vuelta.`,
+      `De plano a los ${after}: la resistencia a la rodadura detiene el punto de contacto y la base golpea la mesa de plano. La mecánica del sólido rígido no determina qué sigue cuando todos los puntos del borde chocan a la vez. Con menos resistencia o un error lateral mayor el punto de contacto da la vuelta.`,
     faceDownShort: (after: string) =>
       `De plano a los ${after}: cae tan de plano que la carrera del punto de contacto por el borde es demasiado breve para calcularla. Pon un error lateral mayor.`,
     computationFailed: (why: string) =>
@@ -374,11 +376,11 @@ export const es: Table = {
     closer: "¿Cómo puede ser? Mira más de cerca",
     inLab: "Abrir esto en el laboratorio",
     grasp:
-      "Toma la lata por arriba, inclínala y suéltala. Un dedo se posa antes sobre ella un momento.",
+      "Toma la lata por arriba, inclínala y suéltala. Con un dedo, sujétala antes un momento.",
     theCan: "La lata, que puedes inclinar",
     theBody: "El cuerpo sobre la mesa",
     noPicture:
-      "Este navegador no puede mostrar la imagen, porque WebGL está desactivado o falta. Las palabras, los números y las curvas no necesitan imagen.",
+      "Este navegador no puede mostrar la imagen, porque WebGL está desactivado o falta. Los textos, los números y las curvas funcionan sin ella.",
     atSmallest: "en la menor inclinación",
     fromSmallest: (time: string, when: "before" | "after") =>
       `${time} ${{ before: "antes", after: "después" }[when]} de la menor inclinación`,
@@ -387,9 +389,9 @@ export const es: Table = {
     guessedOff: (angle: string, further: boolean) =>
       `Eso es ${angle} ${further ? "más" : "menos"} que tu predicción.`,
     cameUp: (said: string, straight: boolean, turned: string) =>
-      `Dijiste ${said}${straight ? ", justo enfrente" : ""}. Subió en ${turned}.`,
+      `Dijiste ${said}${straight ? ", justo enfrente" : ""}. Subió a los ${turned}.`,
     ranRound: (angle: string, time: string, body: BodyName, itself: string, gap: string) =>
-      `El punto de contacto recorrió ${angle}, la mayor parte en ${time}. ${Noun(body)} ${self(body)} giró ${itself}. La rendija bajo su borde se redujo a ${gap}, pero siempre tocaba algún punto del borde.`,
+      `El punto de contacto recorrió ${angle}, la mayor parte en ${time}. ${Noun(body)} ${self(body)} giró ${itself}. La separación bajo su borde se redujo a ${gap}, pero siempre tocaba la mesa algún punto del borde.`,
     straight: (angle: string) => `${angle}, justo enfrente`,
     notStraight: (angle: string, aside: string, beyond: boolean) =>
       `${angle}, ${aside} ${beyond ? "más allá" : "antes"} de justo enfrente`,
@@ -399,7 +401,7 @@ export const es: Table = {
     body: "Cuerpo",
     bodies: { coin: "Moneda", ring: "Anillo", battery: "Pila", bottle: "Botella" },
     lines: {
-      turn: "ángulo de giro",
+      turn: "ángulo recorrido",
       limit: "límite",
       here: "límite en esta mesa",
       noSlip: "sin deslizar",
@@ -407,9 +409,9 @@ export const es: Table = {
       noSlipLimit: "límite sin deslizar",
     },
     hand: (angle: string, gap: string, time: string) =>
-      `El punto de contacto recorrió ${angle}. La rendija bajo el borde se redujo a ${gap}, y la mayor parte del ángulo duró ${time}.`,
+      `El punto de contacto recorrió ${angle}. La separación bajo el borde se redujo a ${gap}, y la mayor parte del ángulo duró ${time}.`,
     table: (angle: string, rolled: boolean, limit: string) =>
-      `El punto de contacto recorrió ${angle}, y el borde ${rolled ? "rodó todo el camino" : "deslizó en el camino"}. Una lata que cae cada vez más de plano tiende a ${limit} en esta mesa.`,
+      `El punto de contacto recorrió ${angle}, y el borde ${rolled ? "rodó todo el tiempo" : "se deslizó en el camino"}. Cuanto más de plano cae una lata, más se acerca su ángulo a ${limit} en esta mesa.`,
     cylinder: (angle: string, limit: string) =>
       `El punto de contacto recorrió ${angle}. El límite para este cilindro es ${limit}.`,
     limits: (angle: string, noSlip: string, frictionless: string) =>
@@ -429,22 +431,22 @@ export const es: Table = {
         text: "Inclina una lata y suéltala. Parece golpear la mesa de plano y levantarse por el otro lado. La película se detiene en lo alto de esta subida: la lata no ha subido enfrente, sino 23° a un lado.",
       },
       slower: {
-        title: "Mira más despacio",
+        title: "Ahora más despacio",
         text: "Suéltala desde una inclinación pequeña y mírala cincuenta veces más despacio. La base nunca golpea la mesa. Queda casi de plano, pero solo toca un punto de su borde.",
       },
       rolls: {
         title: "Está rodando",
-        text: "Ahora de cerca, y el tiempo se estira mientras el punto de contacto corre por el borde. Los postes muestran la rendija bajo el borde, dibujada unos miles de veces más alta. El punto de contacto recorre más de media vuelta en menos de una diezmilésima de segundo, pero las marcas del borde se quedan donde están: la lata misma no gira. Rueda sobre su borde.",
+        text: "Ahora de cerca: el tiempo se estira mientras el punto de contacto corre por el borde. Los postes muestran la separación bajo el borde, dibujada unos miles de veces más alta. El punto de contacto recorre más de media vuelta en menos de una diezmilésima de segundo, pero las marcas del borde se quedan donde están: la lata misma no gira. Rueda sobre su borde.",
       },
       same: {
         title: "El ángulo es siempre el mismo",
-        text: "Suéltala una y otra vez. El azar decide entre izquierda y derecha, pero no cuánto recorre el punto de contacto: cerca de 202° cada vez, y más cerca cuanto más de plano cae la lata. El límite solo depende de la lata:",
+        text: "Suéltala una y otra vez. El azar decide entre izquierda y derecha, pero no cuánto recorre el punto de contacto: siempre cerca de 202°, y tanto más cerca cuanto más de plano cae la lata. El límite solo depende de la lata:",
         symbols:
-          "m es su masa, R el radio de su base, H la altura de su centro de masas y A su momento de inercia al volcar en torno a ese centro.",
+          "m es su masa, R el radio de su base, H la altura de su centro de masas y A su momento de inercia respecto a un eje transversal por ese centro.",
       },
       friction: {
         title: "Fricción",
-        text: "Sobre una mesa sin fricción la lata desliza en vez de rodar y gira 221°. Una mesa real está entre ambos casos. Los autores del artículo impulsaron una lata 42 veces y midieron medias de 213° a la izquierda y 218° a la derecha. Prueba una fricción cerca de 0,1 y cambia la mesa para ver moverse las dos jorobas.",
+        text: "Sobre una mesa sin fricción la lata se desliza en vez de rodar y el ángulo es de 221°. Una mesa real está entre ambos casos. Los autores del artículo impulsaron una lata 42 veces y midieron medias de 213° a la izquierda y 218° a la derecha. Prueba una fricción cerca de 0,1 y cambia la mesa para ver cómo se mueven los dos picos.",
       },
       yourTurn: {
         title: "Te toca",
@@ -452,9 +454,9 @@ export const es: Table = {
       },
     },
     histogram: (from: string, to: string, width: string) =>
-      `Ángulos de giro de las caídas, de ${from} a ${to} en barras de ${width}.`,
+      `Ángulos recorridos de las caídas, de ${from} a ${to} en barras de ${width}.`,
     caption: (width: string) =>
-      `Ángulos de giro de las caídas: izquierda arriba, derecha abajo, ${width} por barra.`,
+      `Ángulos recorridos de las caídas: izquierda arriba, derecha abajo, ${width} por barra.`,
     measured: "Líneas con un punto: media y dispersión de las caídas del artículo.",
     left: (count: number) => `izquierda: ${count}`,
     right: (count: number) => `derecha: ${count}`,
@@ -462,7 +464,7 @@ export const es: Table = {
 
   flicks: {
     title: "Cuarenta y dos impulsos",
-    hint: "Ninguna mano repite un movimiento con exactitud. Repite esta suelta con algo de dispersión y mira dónde cae el cuerpo.",
+    hint: "Ninguna mano repite un movimiento con exactitud. Repite este inicio con algo de dispersión y mira hacia dónde cae el cuerpo.",
     clear: "Borrar",
     hand: "La mano",
     picture: "Direcciones en que cayó el cuerpo, vistas desde arriba",
@@ -472,7 +474,7 @@ export const es: Table = {
     frictionless: "límite sin fricción",
     here: "límite en esta mesa",
     measured: (left: string, right: string) => `el artículo: ${left} y ${right}`,
-    twisted: "Los límites valen para un cuerpo sin torsión.",
+    twisted: "Los límites valen para un cuerpo que se suelta sin giro.",
     initialLean: "inclinación inicial",
     own: {
       title: "Tus propias caídas",
@@ -485,7 +487,7 @@ export const es: Table = {
       ask: "¿Qué fricción encaja?",
       running: "Probando fricciones…",
       answer: (friction: string, low: string, high: string) =>
-        `Una fricción de ${friction} encaja mejor; de ${low} a ${high} encajan casi igual, si la mano es como se ha puesto aquí.`,
+        `Una fricción de ${friction} es la que mejor encaja; de ${low} a ${high} encajan casi igual, si la mano es como la de aquí.`,
       none: "Ninguna de las fricciones hace caer el cuerpo hacia estos lados.",
     },
     running: "Impulsando…",
@@ -497,7 +499,7 @@ export const es: Table = {
         if (count === 0) return `ninguno ${one} ${SIDES[side]}`;
         return `${count} ${count === 1 ? one : many} ${SIDES[side]} tras ${angle}`;
       });
-      const rest = others > 0 ? `; ${others} hicieron otra cosa` : "";
+      const rest = others > 0 ? `; ${others} ${others === 1 ? "acabó" : "acabaron"} de otro modo` : "";
       return `De ${made} ${made === 1 ? "impulso" : "impulsos"}, ${each.join(", ")}${rest}.`;
     },
   },
@@ -515,13 +517,13 @@ export const es: Table = {
     touches: (time: string, angle: string, whole: string) =>
       `Con esta rugosidad se tocan en varios puntos durante ${time}. Entretanto el punto de contacto recorre ${angle} de los ${whole}; esta parte depende de sus irregularidades.`,
     touchesOnce:
-      "La rendija siempre es mayor que esta rugosidad, así que borde y mesa se tocan en un solo punto todo el tiempo.",
+      "La separación siempre es mayor que esta rugosidad, así que borde y mesa se tocan en un solo punto todo el tiempo.",
     intro:
-      "Aquí el cuerpo y la mesa son perfectamente rígidos y lisos, el borde es un círculo perfecto y no hay aire. En el giro que se muestra:",
+      "Aquí el cuerpo y la mesa son perfectamente rígidos y lisos, el borde es un círculo perfecto y no hay aire. En el recorrido que se muestra:",
     none: "Este cuerpo no baja, así que no hay nada que comparar.",
     trust:
-      "Donde un número supera lo que puede un cuerpo real, no te fíes de la rendija ni de la velocidad. Fíate del ángulo, que apenas depende de lo pequeña que llegue a ser la rendija. Una mano comete un error lateral de unos 0,02 rad/s.",
-    gap: "Menor rendija bajo el borde",
+      "Donde un número supera lo posible para un cuerpo real, no te fíes de la separación ni de la velocidad. Fíate del ángulo, que apenas depende de lo pequeña que llegue a ser la separación. Una mano comete un error lateral de unos 0,02 rad/s.",
+    gap: "Menor separación bajo el borde",
     gapTiny:
       "Menor que la rugosidad de cualquier borde y mesa, de 1 a 10 µm: se tocan en varios puntos.",
     gapSmall:
@@ -534,29 +536,29 @@ export const es: Table = {
     speedBelow: "Más lento que el sonido en acero, aluminio o vidrio, de 5 a 6 km/s.",
     time: "Tiempo de la mayor parte del ángulo",
     bends: (sound: string) =>
-      `El sonido necesita ${sound} para cruzar la base: el cuerpo se dobla y suena en vez de moverse como una sola pieza.`,
+      `El sonido necesita ${sound} para cruzar la base: el cuerpo se flexiona y vibra en vez de moverse como una sola pieza.`,
     isRigid: (sound: string) =>
       `El sonido necesita ${sound} para cruzar la base: el cuerpo se mueve como una sola pieza.`,
     force: "Mayor fuerza sobre la mesa",
     timesWeight: (ratio: string) => `${ratio} × el peso`,
-    yields: "En un punto: un borde y una mesa reales ceden ahí, y el cuerpo suena.",
+    yields: "En un punto: un borde y una mesa reales ceden ahí, y el cuerpo vibra.",
     bears: "En un punto de un borde que no cede.",
-    losses: "Energía perdida en este giro",
+    losses: "Energía perdida en este recorrido",
     lossless:
-      "Una lata real pierde una parte en cada giro, por sonido, aire y flexión, y pronto se detiene. “Resistencia a rodar” es una de esas pérdidas.",
+      "Una lata real pierde energía en cada recorrido por sonido, aire y flexión, y pronto se detiene. “Resistencia a la rodadura” es una de esas pérdidas.",
     loses: "El sonido, el aire y la flexión, que se omiten, se llevan más.",
   },
 
   gyro: {
     title: "Un teléfono en el cuerpo",
     intro:
-      "Un giroscopio que gira con el cuerpo no ve nada de la carrera del punto de contacto. A través del eje ve rayos: el cuerpo cae por uno y sube por el siguiente. Cada casi colisión gira el rayo el ángulo de giro menos 180°.",
+      "Un giroscopio que gira con el cuerpo no ve correr el punto de contacto. Perpendicularmente al eje ve rayos: el cuerpo cae a lo largo de uno y sube a lo largo del siguiente. Cada casi colisión hace girar el rayo el ángulo recorrido menos 180°.",
     save: "Guardar como CSV de phyphox",
     saved: (name: string, command: string) => `${name} guardado. Léelo con: ${command}`,
-    veers: (angles: string) => `Los primeros desvíos: ${angles}.`,
-    noTurn: "No hay ningún giro completo, así que no gira ningún rayo.",
+    veers: (angles: string) => `Primeros giros del rayo: ${angles}.`,
+    noTurn: "No hay ningún recorrido completo, así que no gira ningún rayo.",
     picture: (largest: string) =>
-      `Velocidad angular a través del eje, en el sistema del cuerpo, hasta ${largest}.`,
+      `Velocidad angular perpendicular al eje, en el sistema del cuerpo, hasta ${largest}.`,
   },
 
   share: {
@@ -568,10 +570,10 @@ export const es: Table = {
       copied: "Enlace copiado.",
     },
     command: {
-      help: "La dirección de esta página solo sirve en tu máquina. Esta orden abre el mismo montaje donde rimroll esté instalado.",
-      label: "Orden que abre este montaje",
-      copy: "Copiar orden",
-      copied: "Orden copiada.",
+      help: "La dirección de esta página solo sirve en tu equipo. Este comando abre el mismo montaje donde rimroll esté instalado.",
+      label: "Comando que abre este montaje",
+      copy: "Copiar comando",
+      copied: "Comando copiado.",
     },
     labTitle: "Una lata sobre una mesa",
     frame: "Ponerlo en una página o diapositiva",
@@ -593,13 +595,13 @@ export const es: Table = {
     shown: "Tiempo mostrado",
     play: "Reproducir",
     pause: "Pausa",
-    rewind: "Volver a la suelta",
+    rewind: "Volver al inicio",
     before: "A la colisión anterior",
     after: "A la colisión siguiente",
     back: "Fotograma anterior",
     on: "Fotograma siguiente",
     space: "Espacio",
-    stretching: "Ralentiza el tiempo mientras el punto de contacto corre por el borde",
+    stretching: "Ralentiza el tiempo automáticamente mientras el punto de contacto corre por el borde",
     of: (time: string, end: string) => `${time} de ${end}`,
     atCollision: "en la colisión",
     fromCollision: (time: string, when: "before" | "after") =>
@@ -610,15 +612,15 @@ export const es: Table = {
     keyPlay: "reproducir, pausar",
     keyBack: "fotograma anterior",
     keyOn: "fotograma siguiente",
-    keyHome: "volver a la suelta",
+    keyHome: "volver al inicio",
     keysOn: "Estas teclas funcionan en toda la página",
   },
 
   sound: {
     name: "Sonido",
-    turnOn: "Activar el sonido del borde, tan lento como la película",
+    turnOn: "Activar el sonido del borde, ralentizado como la película",
     turnOff: "Desactivar el sonido",
-    missing: "Este navegador no reproduce sonido",
+    missing: "Este navegador no puede reproducir sonido",
   },
 
   plots: {
@@ -627,12 +629,12 @@ export const es: Table = {
     nothing: "nada que mostrar",
     range: (low: string, high: string) => `entre ${low} y ${high}`,
     summary: (title: string, stretch: string, range: string) =>
-      `${title} en el tiempo ${stretch}: ${range}`,
+      `${title} en función del tiempo, ${stretch}: ${range}`,
     timeLabel: (unit: string) => `tiempo, ${unit}`,
     since: (unit: string, origin: string) => `${unit} desde ${origin}`,
-    collisionAt: (time: string) => `la colisión en ${time}`,
+    collisionAt: (time: string) => `la colisión a los ${time}`,
     stretch: (from: string, to: string) => `de ${from} a ${to}`,
-    about: (stretch: string, origin: string) => `${stretch} en torno a ${origin}`,
+    about: (stretch: string, origin: string) => `${stretch} respecto a ${origin}`,
     whole: "Todo el movimiento",
     close: "Esta colisión",
     closeHelp: "Muestra la colisión más cercana al tiempo mostrado",
@@ -644,12 +646,12 @@ export const es: Table = {
     now: (phase: string) => `En el tiempo mostrado: ${phase}.`,
     plot: "Gráfica",
     phases: {
-      standing: "de pie",
+      standing: "apoyado",
       rolling: "rueda",
       sliding: "desliza",
       sliding_flat: "desliza de plano",
       flying: "vuela",
-      flying_level: "vuela nivelado",
+      flying_level: "vuela horizontal",
       lying: "tumbado",
     },
     figures: {
@@ -662,17 +664,17 @@ export const es: Table = {
       },
       tilt: { title: "Inclinación", short: "Inclin.", tilt: "inclinación" },
       yaw: {
-        title: "Rumbo",
-        short: "Rumbo",
+        title: "Dirección",
+        short: "Dirección",
         yaw: "dirección de la inclinación",
-        theory: "teoría, primer giro",
+        theory: "teoría, primer recorrido",
       },
       rates: {
         title: "Velocidades",
         short: "Veloc.",
         tilt: "inclinación",
-        yaw: "rumbo",
-        spin: "giro propio",
+        yaw: "dirección",
+        spin: "rotación propia",
       },
       gyroscope: {
         title: "Giroscopio en el cuerpo",
@@ -702,24 +704,24 @@ export const es: Table = {
 
   compare: {
     title: "Comparar con…",
-    help: "Muestra un segundo movimiento junto al primero, con el mismo reloj.",
+    help: "Muestra un segundo movimiento junto al primero, al mismo tiempo.",
     presets: {
       ice: "Hielo y goma",
       coin: "Lata y moneda",
-      mirror: "Este comienzo y su reflejo",
+      mirror: "Este inicio y su reflejo",
       keep: "Guardar este movimiento y cambiar el montaje",
     },
     keyA: "A, líneas continuas: el montaje de arriba",
     keyB: "B, líneas discontinuas: el otro",
     setup: "Montaje",
-    turn: "Primer giro",
+    turn: "Primer recorrido",
     difference: "B frente a A",
     rows: {
       turn: "El contacto recorrió",
       itself: "El cuerpo mismo giró",
       limit: "Límite teórico",
       tilt: "Menor inclinación",
-      gap: "Rendija bajo el borde entonces",
+      gap: "Separación bajo el borde entonces",
       time: "Tiempo hasta entonces",
       passage: "Tiempo de la mayor parte del ángulo",
       force: "Mayor fuerza, en pesos",
@@ -738,9 +740,9 @@ export const es: Table = {
     },
     same: "Ambos montajes son iguales por ahora. Cambia el montaje de arriba: B queda como está.",
     refused: (which: "A" | "B", why: string) => `${which} no tiene movimiento: ${why}.`,
-    none: "Uno de los cuerpos no baja, así que no hay giro que comparar.",
+    none: "Uno de los cuerpos no baja, así que no hay recorrido que comparar.",
     equal: (angle: string) =>
-      `El punto de contacto recorrió ${angle} en ambos, hasta el primer decimal.`,
+      `El punto de contacto recorrió ${angle} en ambos, con un decimal.`,
     turns: (a: string, b: string, apart: string, further: boolean) =>
       `El punto de contacto recorrió ${a} en A y ${b} en B: ${apart} ${further ? "más" : "menos"} en B.`,
     swap: "Intercambiar A y B",
@@ -786,15 +788,15 @@ export const es: Table = {
     noSlip: "sin deslizar",
     frictionless: "sin fricción",
     theory: "teoría",
-    gap: (gap: string) => `rendija ${gap}`,
-    gapDrawn: (gap: string, times: string) => `rendija ${gap}, dibujada ${times} veces más alta`,
+    gap: (gap: string) => `separación ${gap}`,
+    gapDrawn: (gap: string, times: string) => `separación ${gap}, dibujada ${times} veces más alta`,
     unrolled: "Camino del contacto, desenrollado: ",
     table: "mesa",
     rim: "borde",
     noSlipYet: "rueda sin deslizar",
-    slipped: (length: string) => `su borde ha deslizado ${length}`,
+    slipped: (length: string) => `su borde se ha deslizado ${length}`,
     runs: (rim: string, table: string, slip: string) =>
-      `En este giro el punto de contacto ha recorrido ${rim} por el borde y ${table} por la mesa: ${slip}.`,
+      `En este recorrido el punto de contacto ha recorrido ${rim} por el borde y ${table} por la mesa: ${slip}.`,
   },
 
   prose: {
@@ -813,41 +815,41 @@ export const es: Table = {
     "to-essay": "¿Qué es esto?",
     "question.title": "¿Dónde subirá?",
     "question.text":
-      "Inclina una lata y suéltala. Cae hacia la vertical, su base casi llega a la mesa y vuelve a subir. Gira la línea hacia donde creas que subirá, y suéltala.",
+      "Inclina una lata y suéltala. Cae hacia la vertical, su base casi llega a la mesa y vuelve a subir. Gira la línea hacia donde creas que subirá y suelta la lata.",
     "slap-or-roll.title": "¿Golpea o rueda?",
     "slap-or-roll.text":
-      "No sube justo enfrente, como haría una mecedora. Sube {0} a un lado. A simple vista, la base golpea la mesa y la lata rebota. No es eso lo que ocurre.",
+      "No sube justo enfrente, como haría una mecedora. Sube {0} a un lado. A simple vista, parece que la base golpea la mesa y la lata rebota. No es eso lo que ocurre.",
     "slap-or-roll.slow":
-      "Aquí el tiempo se frena cuando la lata está casi de plano, y los postes muestran la rendija bajo el borde, dibujada más alta de lo que es. Un punto del borde toca la mesa, y ese punto da la vuelta: la mayor parte del camino en {0}. Fíjate en las marcas del borde. Se quedan donde están. La lata no gira; rueda sobre su borde.",
+      "Aquí el tiempo se frena cuando la lata está casi de plano, y los postes muestran la separación bajo el borde, dibujada más alta de lo que es. Un punto del borde toca la mesa, y ese punto recorre el borde: la mayor parte del camino en {0}. Fíjate en las marcas del borde. Se quedan donde están. La lata no gira; rueda sobre su borde.",
     "hand.title": "Por qué la mano no importa",
     "hand.text":
-      "Ninguna mano suelta a la perfección. Un pequeño error lateral decide si la lata gira a la izquierda o a la derecha, y cuánto se acerca su base a la mesa. Mueve el control: la rendija y el tiempo cambian cien veces. El ángulo apenas cambia.",
+      "Ninguna mano suelta a la perfección. Un pequeño error lateral decide si la lata gira a la izquierda o a la derecha, y cuánto se acerca su base a la mesa. Mueve el control: la separación y el tiempo cambian en un factor de cien. El ángulo apenas cambia.",
     "hand.limit":
       "Cuanto más firme es la mano, más se acerca el ángulo a un límite, {0} para esta lata. El límite solo depende de la lata:",
     "hand.symbols":
-      "Aquí {0} es su masa, {1} el radio de su base, {2} la altura de su centro de masas y {3} su momento de inercia al volcar en torno a ese centro.",
+      "Aquí {0} es su masa, {1} el radio de su base, {2} la altura de su centro de masas y {3} su momento de inercia respecto a un eje transversal por ese centro.",
     "friction.title": "Del hielo a la goma",
     "friction.text":
-      "Para rodar tan deprisa, el borde debe agarrarse a la mesa. Con una fricción de {0} o más, esta lata rueda todo el camino. Con menos, su borde desliza y sube en otro lugar. Sin fricción alguna el límite es {1}.",
+      "Para rodar tan deprisa, el borde debe agarrarse a la mesa. Con una fricción de {0} o más, esta lata rueda todo el tiempo. Con menos, su borde se desliza y la lata sube en otro lugar. Sin fricción alguna, el límite es {1}.",
     "friction.try":
-      "Mueve el control del hielo a la goma. Donde el camino sobre la mesa es naranja, el borde desliza.",
+      "Mueve el control del hielo a la goma. Donde el camino sobre la mesa es naranja, el borde se desliza.",
     "tall-and-flat.title": "Alto y plano",
     "tall-and-flat.text":
-      "Un cuerpo alto se balancea casi justo enfrente. Cuanto más plano es, más recorre el punto de contacto. Cambia la altura de este cilindro macizo y mira dónde sube.",
+      "Un cuerpo alto se balancea casi hasta justo enfrente. Cuanto más plano es, más recorre el punto de contacto. Cambia la altura de este cilindro macizo y mira dónde sube.",
     "disks-and-coins.title": "Discos y monedas",
     "disks-and-coins.text":
-      "En un disco uniforme sin altura, el centro de masas está en la base, y la fórmula de arriba da {0} o {1}: una vuelta completa y {2} más. La fricción entonces no cuenta. Una moneda se acerca a eso. Compara otros cuerpos.",
+      "En un disco homogéneo sin grosor, el centro de masas está en la base, y la fórmula de arriba da {0} o {1}: una vuelta completa y {2} más. La fricción no influye entonces. Una moneda se acerca a eso. Compara otros cuerpos.",
     "experiment.title": "Cuarenta y dos impulsos",
     "experiment.text":
-      "Los autores del artículo impulsaron una lata 42 veces y anotaron dónde caía. Los giros medios fueron {0} a la izquierda y {1} a la derecha, entre los límites sin deslizar y sin fricción.",
+      "Los autores del artículo impulsaron una lata 42 veces y anotaron hacia dónde caía. Los ángulos medios fueron {0} a la izquierda y {1} a la derecha, entre los límites sin deslizar y sin fricción.",
     "experiment.try":
-      "Impulsa aquí la lata con una mano temblorosa y cambia después la fricción hasta que tus caídas estén donde las suyas. ¿Qué fricción encaja mejor?",
+      "Impulsa aquí la lata con una mano temblorosa y cambia después la fricción hasta que tus caídas coincidan con las suyas. ¿Qué fricción encaja mejor?",
     "left-out.title": "Lo que se omite",
     "left-out.text":
       "Esta lata y esta mesa son perfectamente rígidas y lisas, y no hay aire. ¿Hasta qué punto vale? Depende de cuánto se acerca la base a la mesa. La lista tiene los números de este movimiento, cada uno junto a lo que permite una lata real. Haz más firme la mano y mira cuáles dejan de tener sentido.",
     "your-turn.title": "Te toca",
     "your-turn.text":
-      "Toma tú la lata. En el laboratorio puedes hacer más: cambiar el cuerpo, la mesa y el comienzo, llenar la botella, hacer girar una moneda, sacudir el suelo, ver cada fuerza y energía, y guardar o enviar lo que encuentres.",
+      "Toma tú la lata. En el laboratorio puedes hacer más: cambiar el cuerpo, la mesa y el inicio, llenar la botella, hacer girar una moneda, sacudir el suelo, ver cada fuerza y energía, y guardar o enviar lo que encuentres.",
     "your-turn.lab": "Abrir el laboratorio",
     "section.scene": "La mesa",
     "section.transport": "Tiempo",
@@ -863,7 +865,7 @@ export const es: Table = {
     "foot.paper":
       "La mecánica sigue a M. Srinivasan y A. Ruina, “Rocking and rolling: a can that appears to rock might actually roll”, {0}.",
     "foot.private":
-      "Cada movimiento se calcula en tu propio aparato. No se envía nada a ningún sitio.",
+      "Cada movimiento se calcula en tu propio dispositivo. No se envía nada a ningún sitio.",
     "foot.parts": "{0} de esta página y sus partes.",
     "foot.licences": "Licencias",
     "foot.languages": "Idiomas",
