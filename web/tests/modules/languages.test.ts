@@ -92,6 +92,9 @@ function argumentsOf(path: string, make: Function): unknown[][] {
     );
 }
 
+/** Marks in French with an ordinary space beside them, at which a line could break. */
+const BREAKABLE = / [:;!?»]|« /;
+
 const placesIn = (text: string) => [...text.matchAll(/⟨\w+⟩/g)].map(([one]) => one).sort();
 
 test("each function makes a sentence in each case, with all that it is given", async () => {
@@ -106,6 +109,7 @@ test("each function makes a sentence in each case, with all that it is given", a
         const text = (leaves.get(path) as typeof english)(...given);
         const what = `${language}${path}(${JSON.stringify(given)}): ${text}`;
         expect(text, what).not.toMatch(/undefined|\[object|true|false|NaN/);
+        if (language === "fr") expect(text, what).not.toMatch(BREAKABLE);
         expect(placesIn(text.toUpperCase()), what).toEqual(placesIn(source.toUpperCase()));
       }
     }
@@ -140,6 +144,12 @@ test("the flicks are counted on both sides, on one, and on none", async () => {
           for (const part of [String(made), "20", "⟨a⟩"]) expect(text, language).toContain(part);
           if (others > 1) expect(text, language).toContain(String(others));
         }
+});
+
+test("French marks of punctuation stay with their words", async () => {
+  const { prose, ...table } = await TABLES.fr();
+  for (const [path, leaf] of [...leavesOf(table), ...leavesOf(prose)])
+    if (typeof leaf === "string") expect(leaf, path).not.toMatch(BREAKABLE);
 });
 
 /** The places of index.html with texts, and how many elements each has inside. */
