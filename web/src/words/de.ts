@@ -189,7 +189,8 @@ export const de: Table = {
       `${label}: „${text}“ lässt sich auf zwei Arten lesen; schreibe ${sign === "." ? "einen Punkt" : "ein Komma"} vor die Dezimalstellen und nichts zwischen die Tausender.`,
     empty: (label: string) => `${label}: Hier fehlt eine Zahl.`,
     noNumber: (label: string, text: string) => `${label}: „${text}“ ist keine Zahl.`,
-    notWhole: (label: string, text: string) => `${label}: Nötig ist eine ganze Zahl, nicht ${text}.`,
+    notWhole: (label: string, text: string) =>
+      `${label}: Nötig ist eine ganze Zahl, nicht ${text}.`,
     between: (label: string, low: string, high: string, text: string) =>
       `${label}: Der Wert muss größer als ${low} und kleiner als ${high} sein; ${text} liegt außerhalb.`,
     fromTo: (label: string, low: string, high: string, text: string) =>
@@ -272,7 +273,8 @@ export const de: Table = {
     rocksAgain: (body: BodyName, at: string) =>
       `${Noun(body)} ist anfangs geneigt, steht dann eine Weile flach und beginnt bei ${at} wieder zu schaukeln.`,
     leans: (body: BodyName) => `${Noun(body)} ist anfangs geneigt.`,
-    slides: (body: BodyName) => `${Noun(body)} rutscht auf ${its(body)} Boden und beginnt nie zu schaukeln.`,
+    slides: (body: BodyName) =>
+      `${Noun(body)} rutscht auf ${its(body)} Boden und beginnt nie zu schaukeln.`,
     stands: (body: BodyName) =>
       `${Noun(body)} steht still auf dem Untergrund und beginnt nie zu schaukeln.`,
   },
@@ -361,7 +363,7 @@ export const de: Table = {
     comesToRest: (after: string) =>
       `Der Körper kommt nach ${after} zur Ruhe: Sein Boden liegt flach, und die Energie ist verbraucht.`,
     painleve: (after: string, friction: string) =>
-      `Painlevé-Paradoxon nach ${after}: Bei so viel Reibung gibt die Mechanik starrer Körper für den rutschenden Rand keine eindeutige Antwort. Wenn dieser Körper fast flach liegt, beginnt das Paradoxon bei einer Reibung von ${friction}. Stelle weniger Reibung ein, um der Bewegung zu folgen.`,
+      `Painlevé-Paradoxon nach ${after}: Bei so viel Reibung gibt die Mechanik starrer Körper für den rutschenden Rand keine eindeutige Antwort. Wenn der Boden dieses Körpers fast flach liegt, beginnt das Paradoxon bei einer Reibung von ${friction}. Stelle weniger Reibung ein, um der Bewegung zu folgen.`,
     tooManySteps: (after: string) =>
       `Die Rechnung bricht nach ${after} ab, weil sie zu viele Schritte braucht. Stelle eine kürzere Dauer ein.`,
     cannotContinue: (after: string, why: string) =>
@@ -515,11 +517,11 @@ export const de: Table = {
     title: "Was dieses Modell weglässt",
     roughness: "Rauheit von Rand und Tisch",
     roughnesses: {
-      polished: "0,1 µm, poliert",
-      smooth: "1 µm, glatt",
-      turned: "3 µm, gedreht oder gezogen",
-      rough: "10 µm, rau",
-      coarse: "100 µm, grob",
+      polished: "0,1 µm, poliert",
+      smooth: "1 µm, glatt",
+      turned: "3 µm, gedreht oder gezogen",
+      rough: "10 µm, rau",
+      coarse: "100 µm, grob",
     },
     touches: (time: string, angle: string, whole: string) =>
       `Bei dieser Rauheit berühren sie sich ${time} lang an mehreren Stellen. Währenddessen läuft der Kontaktpunkt um ${angle} der ${whole} herum; dieser Teil hängt von ihren Unebenheiten ab.`,
@@ -529,18 +531,18 @@ export const de: Table = {
       "Körper und Tisch sind hier vollkommen starr und glatt, der Rand ist ein perfekter Kreis, und es gibt keine Luft. In dem gezeigten Umlauf:",
     none: "Dieser Körper kommt nicht herunter, deshalb gibt es nichts zu vergleichen.",
     trust:
-      "Wo eine Zahl über das hinausgeht, was ein echter Körper kann, traue weder dem Spalt noch der Geschwindigkeit. Traue dem Winkel: Er hängt kaum davon ab, wie klein der Spalt wird. Eine Hand macht einen seitlichen Fehler von etwa 0,02 rad/s.",
+      "Wo eine Zahl über das hinausgeht, was ein echter Körper kann, traue weder dem Spalt noch der Geschwindigkeit. Traue dem Winkel: Er hängt kaum davon ab, wie klein der Spalt wird. Eine Hand macht einen seitlichen Fehler von etwa 0,02 rad/s.",
     gap: "Kleinster Spalt unter dem Rand",
     gapTiny:
-      "Kleiner als die Rauheit jedes Randes und Tisches, 1 bis 10 µm: Sie berühren sich an mehreren Stellen.",
+      "Kleiner als die Rauheit jedes Randes und Tisches, 1 bis 10 µm: Sie berühren sich an mehreren Stellen.",
     gapSmall:
-      "Nicht größer als die Rauheit von Rand und Tisch, 1 bis 10 µm: Sie berühren sich vielleicht an mehreren Stellen.",
-    gapWide: "Größer als die Rauheit von Rand und Tisch, 1 bis 10 µm.",
+      "Nicht größer als die Rauheit von Rand und Tisch, 1 bis 10 µm: Sie berühren sich vielleicht an mehreren Stellen.",
+    gapWide: "Größer als die Rauheit von Rand und Tisch, 1 bis 10 µm.",
     speed: "Kontaktpunkt entlang des Randes",
     speedBeyond:
-      "Schneller als der Schall in Stahl, Aluminium oder Glas, 5 bis 6 km/s: Rand und Tisch können ihm nicht rechtzeitig ausweichen.",
-    speedNear: "Nicht viel langsamer als der Schall in Stahl, Aluminium oder Glas, 5 bis 6 km/s.",
-    speedBelow: "Langsamer als der Schall in Stahl, Aluminium oder Glas, 5 bis 6 km/s.",
+      "Schneller als der Schall in Stahl, Aluminium oder Glas, 5 bis 6 km/s: Rand und Tisch können ihm nicht rechtzeitig ausweichen.",
+    speedNear: "Nicht viel langsamer als der Schall in Stahl, Aluminium oder Glas, 5 bis 6 km/s.",
+    speedBelow: "Langsamer als der Schall in Stahl, Aluminium oder Glas, 5 bis 6 km/s.",
     time: "Zeit für den Großteil des Winkels",
     bends: (sound: string) =>
       `Der Schall braucht ${sound} quer durch den Boden: Der Körper verbiegt sich und schwingt, statt sich als Ganzes zu bewegen.`,

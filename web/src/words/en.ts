@@ -525,11 +525,11 @@ export const en = {
     title: "What this model leaves out",
     roughness: "Roughness of rim and table",
     roughnesses: {
-      polished: "0.1 µm, polished",
-      smooth: "1 µm, smooth",
-      turned: "3 µm, turned or drawn",
-      rough: "10 µm, rough",
-      coarse: "100 µm, coarse",
+      polished: "0.1 µm, polished",
+      smooth: "1 µm, smooth",
+      turned: "3 µm, turned or drawn",
+      rough: "10 µm, rough",
+      coarse: "100 µm, coarse",
     },
     touches: (time: string, angle: string, whole: string) =>
       `With this roughness they touch at several points for ${time}. Meanwhile the contact point runs round ${angle} of the ${whole}; this part depends on their unevenness.`,
@@ -539,18 +539,18 @@ export const en = {
       "Body and table are perfectly rigid and smooth here, the rim is a perfect circle, and there is no air. In the turn that is shown:",
     none: "This body does not come down, so there is nothing to compare.",
     trust:
-      "Where a number is beyond a real body, do not trust the gap or the speed. Trust the angle, which hardly depends on how small the gap gets. A hand makes a sideways error of about 0.02 rad/s.",
+      "Where a number is beyond a real body, do not trust the gap or the speed. Trust the angle, which hardly depends on how small the gap gets. A hand makes a sideways error of about 0.02 rad/s.",
     gap: "Smallest gap under the rim",
     gapTiny:
-      "Smaller than the roughness of any rim and table, 1 to 10 µm: they touch at several points.",
+      "Smaller than the roughness of any rim and table, 1 to 10 µm: they touch at several points.",
     gapSmall:
-      "No larger than the roughness of rim and table, 1 to 10 µm: they may touch at several points.",
-    gapWide: "Larger than the roughness of rim and table, 1 to 10 µm.",
+      "No larger than the roughness of rim and table, 1 to 10 µm: they may touch at several points.",
+    gapWide: "Larger than the roughness of rim and table, 1 to 10 µm.",
     speed: "Contact point along the rim",
     speedBeyond:
-      "Faster than sound in steel, aluminium or glass, 5 to 6 km/s: rim and table cannot make way for it in time.",
-    speedNear: "Not much slower than sound in steel, aluminium or glass, 5 to 6 km/s.",
-    speedBelow: "Slower than sound in steel, aluminium or glass, 5 to 6 km/s.",
+      "Faster than sound in steel, aluminium or glass, 5 to 6 km/s: rim and table cannot make way for it in time.",
+    speedNear: "Not much slower than sound in steel, aluminium or glass, 5 to 6 km/s.",
+    speedBelow: "Slower than sound in steel, aluminium or glass, 5 to 6 km/s.",
     time: "Time for most of the angle",
     bends: (sound: string) =>
       `Sound needs ${sound} to cross the base: the body bends and rings instead of moving as one piece.`,

@@ -17,9 +17,11 @@ const NOUNS: Record<BodyName, string> = {
   inertia: "el cuerpo",
 };
 
-const Noun = (body: BodyName) => NOUNS[body].charAt(0).toUpperCase() + NOUNS[body].slice(1);
-/** “Itself”, with the gender of the body. */
-const self = (body: BodyName) => (NOUNS[body].startsWith("la") ? "misma" : "mismo");
+const begins = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
+const Noun = (body: BodyName) => begins(NOUNS[body]);
+/** The body itself, with its article. */
+const theBodyItself = (body: BodyName) =>
+  NOUNS[body].replace(/^la /, "la propia ").replace(/^el /, "el propio ");
 
 const leaning = (body: BodyName) => (NOUNS[body].startsWith("la") ? "inclinada" : "inclinado");
 
@@ -33,7 +35,8 @@ export const es: Table = {
   flickTimes: (count: number) => (count === 1 ? "Impulsar una vez" : `Impulsar ${count} veces`),
   flickAgain: (count: number) => `Impulsar ${count} veces más`,
   openLab: "Abrir el laboratorio",
-  notStarted: (why: string) => `La página no pudo iniciarse: ${why}. Quizá ayude volver a cargarla.`,
+  notStarted: (why: string) =>
+    `La página no pudo iniciarse: ${why}. Quizá ayude volver a cargarla.`,
 
   fields: {
     body: {
@@ -214,7 +217,8 @@ export const es: Table = {
     dryOnly: "Solo vale para la fricción seca.",
     tables: { ice: "hielo", wood: "madera", rubber: "goma" },
     losses: { none: "nula", hard: "mesa dura", soft: "mesa blanda" },
-    lossesOf: (table: string, resistance: string) => `Resistencia a la rodadura: ${table}, ${resistance}`,
+    lossesOf: (table: string, resistance: string) =>
+      `Resistencia a la rodadura: ${table}, ${resistance}`,
     frictionOf: (table: string, friction: string) => `Fricción de ${table}, ${friction}`,
     neededLabel: (friction: string) =>
       `${friction}, la fricción que este cuerpo necesita para rodar durante su casi colisión`,
@@ -263,7 +267,8 @@ export const es: Table = {
     stops: (after: string) =>
       `La base llega de plano a los ${after} y el movimiento acaba, como indica “Caída de plano”. La mecánica del sólido rígido no determina qué sigue.`,
     isStill: "El suelo no se mueve.",
-    moves: (far: string, strong: string) => `El suelo se mueve hasta ${far}, con una aceleración de hasta ${strong}.`,
+    moves: (far: string, strong: string) =>
+      `El suelo se mueve hasta ${far}, con una aceleración de hasta ${strong}.`,
     beginsToRock: (body: BodyName, at: string) =>
       `${Noun(body)} empieza a balancearse a los ${at} (levantamiento).`,
     rocksAgain: (body: BodyName, at: string) =>
@@ -278,7 +283,7 @@ export const es: Table = {
   verdict: {
     turned: "El contacto recorrió",
     angleOfTurn: "Ángulo recorrido",
-    itself: (body: BodyName) => `${Noun(body)} ${self(body)}`,
+    itself: (body: BodyName) => begins(theBodyItself(body)),
     meanwhile: "giró entretanto",
     whenLetGo: "se verá al soltar",
     ifLetGo: "si sueltas ahora",
@@ -324,7 +329,7 @@ export const es: Table = {
         same: `${itself} en el mismo sentido`,
         other: `${itself} en sentido contrario`,
       };
-      return `Desde ${from}, bajando y subiendo hasta ${to} a los ${end}, el punto de contacto recorre ${angle}, la mayor parte en ${time}; ${NOUNS[body]} ${self(body)} gira ${turn[way]}.`;
+      return `Desde ${from}, bajando y subiendo hasta ${to} a los ${end}, el punto de contacto recorre ${angle}, la mayor parte en ${time}; ${theBodyItself(body)} gira ${turn[way]}.`;
     },
     rim: {
       rolled: "La fricción basta: rueda todo el tiempo.",
@@ -375,8 +380,7 @@ export const es: Table = {
     time: "Tiempo",
     closer: "¿Cómo puede ser? Mira más de cerca",
     inLab: "Abrir esto en el laboratorio",
-    grasp:
-      "Toma la lata por arriba, inclínala y suéltala. Con un dedo, sujétala antes un momento.",
+    grasp: "Toma la lata por arriba, inclínala y suéltala. Con un dedo, sujétala antes un momento.",
     theCan: "La lata, que puedes inclinar",
     theBody: "El cuerpo sobre la mesa",
     noPicture:
@@ -391,7 +395,7 @@ export const es: Table = {
     cameUp: (said: string, straight: boolean, turned: string) =>
       `Dijiste ${said}${straight ? ", justo enfrente" : ""}. Subió a los ${turned}.`,
     ranRound: (angle: string, time: string, body: BodyName, itself: string, gap: string) =>
-      `El punto de contacto recorrió ${angle}, la mayor parte en ${time}. ${Noun(body)} ${self(body)} giró ${itself}. La separación bajo su borde se redujo a ${gap}, pero siempre tocaba la mesa algún punto del borde.`,
+      `El punto de contacto recorrió ${angle}, la mayor parte en ${time}. ${begins(theBodyItself(body))} giró ${itself}. La separación bajo su borde se redujo a ${gap}, pero siempre tocaba la mesa algún punto del borde.`,
     straight: (angle: string) => `${angle}, justo enfrente`,
     notStraight: (angle: string, aside: string, beyond: boolean) =>
       `${angle}, ${aside} ${beyond ? "más allá" : "antes"} de justo enfrente`,
@@ -436,7 +440,7 @@ export const es: Table = {
       },
       rolls: {
         title: "Está rodando",
-        text: "Ahora de cerca: el tiempo se estira mientras el punto de contacto corre por el borde. Los postes muestran la separación bajo el borde, dibujada unos miles de veces más alta. El punto de contacto recorre más de media vuelta en menos de una diezmilésima de segundo, pero las marcas del borde se quedan donde están: la lata misma no gira. Rueda sobre su borde.",
+        text: "Ahora de cerca: el tiempo se estira mientras el punto de contacto corre por el borde. Los postes muestran la separación bajo el borde, dibujada unos miles de veces más alta. El punto de contacto recorre más de media vuelta en menos de una diezmilésima de segundo, pero las marcas del borde se quedan donde están: la propia lata no gira. Rueda sobre su borde.",
       },
       same: {
         title: "El ángulo es siempre el mismo",
@@ -499,7 +503,8 @@ export const es: Table = {
         if (count === 0) return `ninguno ${one} ${SIDES[side]}`;
         return `${count} ${count === 1 ? one : many} ${SIDES[side]} tras ${angle}`;
       });
-      const rest = others > 0 ? `; ${others} ${others === 1 ? "acabó" : "acabaron"} de otro modo` : "";
+      const rest =
+        others > 0 ? `; ${others} ${others === 1 ? "acabó" : "acabaron"} de otro modo` : "";
       return `De ${made} ${made === 1 ? "impulso" : "impulsos"}, ${each.join(", ")}${rest}.`;
     },
   },
@@ -508,11 +513,11 @@ export const es: Table = {
     title: "Lo que este modelo omite",
     roughness: "Rugosidad de borde y mesa",
     roughnesses: {
-      polished: "0,1 µm, pulida",
-      smooth: "1 µm, lisa",
-      turned: "3 µm, torneada o estirada",
-      rough: "10 µm, rugosa",
-      coarse: "100 µm, basta",
+      polished: "0,1 µm, pulida",
+      smooth: "1 µm, lisa",
+      turned: "3 µm, torneada o estirada",
+      rough: "10 µm, rugosa",
+      coarse: "100 µm, basta",
     },
     touches: (time: string, angle: string, whole: string) =>
       `Con esta rugosidad se tocan en varios puntos durante ${time}. Entretanto el punto de contacto recorre ${angle} de los ${whole}; esta parte depende de sus irregularidades.`,
@@ -522,18 +527,18 @@ export const es: Table = {
       "Aquí el cuerpo y la mesa son perfectamente rígidos y lisos, el borde es un círculo perfecto y no hay aire. En el recorrido que se muestra:",
     none: "Este cuerpo no baja, así que no hay nada que comparar.",
     trust:
-      "Donde un número supera lo posible para un cuerpo real, no te fíes de la separación ni de la velocidad. Fíate del ángulo, que apenas depende de lo pequeña que llegue a ser la separación. Una mano comete un error lateral de unos 0,02 rad/s.",
+      "Donde un número supera lo posible para un cuerpo real, no te fíes de la separación ni de la velocidad. Fíate del ángulo, que apenas depende de lo pequeña que llegue a ser la separación. Una mano comete un error lateral de unos 0,02 rad/s.",
     gap: "Menor separación bajo el borde",
     gapTiny:
-      "Menor que la rugosidad de cualquier borde y mesa, de 1 a 10 µm: se tocan en varios puntos.",
+      "Menor que la rugosidad de cualquier borde y mesa, de 1 a 10 µm: se tocan en varios puntos.",
     gapSmall:
-      "No mayor que la rugosidad de borde y mesa, de 1 a 10 µm: pueden tocarse en varios puntos.",
-    gapWide: "Mayor que la rugosidad de borde y mesa, de 1 a 10 µm.",
+      "No mayor que la rugosidad de borde y mesa, de 1 a 10 µm: pueden tocarse en varios puntos.",
+    gapWide: "Mayor que la rugosidad de borde y mesa, de 1 a 10 µm.",
     speed: "Punto de contacto por el borde",
     speedBeyond:
-      "Más rápido que el sonido en acero, aluminio o vidrio, de 5 a 6 km/s: borde y mesa no pueden apartarse a tiempo.",
-    speedNear: "No mucho más lento que el sonido en acero, aluminio o vidrio, de 5 a 6 km/s.",
-    speedBelow: "Más lento que el sonido en acero, aluminio o vidrio, de 5 a 6 km/s.",
+      "Más rápido que el sonido en acero, aluminio o vidrio, de 5 a 6 km/s: borde y mesa no pueden apartarse a tiempo.",
+    speedNear: "No mucho más lento que el sonido en acero, aluminio o vidrio, de 5 a 6 km/s.",
+    speedBelow: "Más lento que el sonido en acero, aluminio o vidrio, de 5 a 6 km/s.",
     time: "Tiempo de la mayor parte del ángulo",
     bends: (sound: string) =>
       `El sonido necesita ${sound} para cruzar la base: el cuerpo se flexiona y vibra en vez de moverse como una sola pieza.`,
@@ -601,7 +606,8 @@ export const es: Table = {
     back: "Fotograma anterior",
     on: "Fotograma siguiente",
     space: "Espacio",
-    stretching: "Ralentiza el tiempo automáticamente mientras el punto de contacto corre por el borde",
+    stretching:
+      "Ralentiza el tiempo automáticamente mientras el punto de contacto corre por el borde",
     of: (time: string, end: string) => `${time} de ${end}`,
     atCollision: "en la colisión",
     fromCollision: (time: string, when: "before" | "after") =>
@@ -718,7 +724,7 @@ export const es: Table = {
     difference: "B frente a A",
     rows: {
       turn: "El contacto recorrió",
-      itself: "El cuerpo mismo giró",
+      itself: "El propio cuerpo giró",
       limit: "Límite teórico",
       tilt: "Menor inclinación",
       gap: "Separación bajo el borde entonces",
@@ -741,8 +747,7 @@ export const es: Table = {
     same: "Ambos montajes son iguales por ahora. Cambia el montaje de arriba: B queda como está.",
     refused: (which: "A" | "B", why: string) => `${which} no tiene movimiento: ${why}.`,
     none: "Uno de los cuerpos no baja, así que no hay recorrido que comparar.",
-    equal: (angle: string) =>
-      `El punto de contacto recorrió ${angle} en ambos, con un decimal.`,
+    equal: (angle: string) => `El punto de contacto recorrió ${angle} en ambos, con un decimal.`,
     turns: (a: string, b: string, apart: string, further: boolean) =>
       `El punto de contacto recorrió ${a} en A y ${b} en B: ${apart} ${further ? "más" : "menos"} en B.`,
     swap: "Intercambiar A y B",
@@ -783,7 +788,7 @@ export const es: Table = {
     stopped:
       "Los gráficos de este navegador se han detenido. La imagen volverá cuando se reanuden.",
     ranRound: (angle: string) => `el contacto recorrió ${angle}`,
-    itself: (body: BodyName, angle: string) => `${NOUNS[body]} ${self(body)} giró ${angle}`,
+    itself: (body: BodyName, angle: string) => `${theBodyItself(body)} giró ${angle}`,
     guess: (angle: string) => `tu predicción ${angle}`,
     noSlip: "sin deslizar",
     frictionless: "sin fricción",
