@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from statistics import NormalDist
 from typing import TYPE_CHECKING, Any
 
@@ -16,12 +16,13 @@ from rimroll.errors import RimrollError, expect
 from rimroll.given import Number, number, positive
 from rimroll.gyro.axis import Axis, fitted_axis
 from rimroll.gyro.collision import LEAST_TILT, Collision, collision_of, is_near
-from rimroll.gyro.doubts import refuse_unlikely
+from rimroll.gyro.doubts import refuse_steep, refuse_unlikely
 from rimroll.gyro.falls import Falls, Passage, falls_of
+from rimroll.gyro.filtering import Filter, filter_of
 from rimroll.gyro.friction import Friction, Predicted, friction_from, predicted
 from rimroll.gyro.passages import Sensed
 from rimroll.gyro.record import Record
-from rimroll.gyro.rests import Rests, rests_of
+from rimroll.gyro.rests import Rests, rests_of, smallest_step
 from rimroll.gyro.times import GAP, cut_off
 from rimroll.theory import balance_tilt, needed_friction
 
@@ -33,6 +34,9 @@ Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
 LOOSE = 1.2
 """What is left of the momentum, over its noise, from which on a sensor may be loose."""
+OTHER_FILTER = 3.0
+"""What errors are multiplied by if a filter was taken out: simulated records that went through
+filters of first order or moving averages then have the veer within two of them."""
 CLEARER = 2.0
 """How many times worse every other axis of the sensor must suit than the one that is taken."""
 
@@ -44,7 +48,7 @@ class Analysis:
     Attributes
     ----------
     record, body, gravity, confidence
-        What it was read from.
+        What it was read from. After a strong filter, the record is the one without it.
     rests
         Where the sensor was at rest, with its bias and noise.
     axis
@@ -78,6 +82,8 @@ class Analysis:
     friction: Friction | None
     limits: tuple[float, float]
     notes: list[str]
+    filter_cutoff: float | None
+    """The cut-off frequency of a filter that was recognised and taken out, Hz."""
 
     def __repr__(self) -> str:
         veers = ", ".join(f"{math.degrees(one.veer):.1f}°" for one in self.collisions[:6])
@@ -168,24 +174,52 @@ def analyze(
     rests = rests_of(record)
     rates = record.rates - rests.bias_at(record.t)
     refuse_unlikely(record, rates, rests, body, pull)
+    valid = _within_range(record)
+    taken_out = filter_of(record.t, rates, rests.noise)
+    if taken_out is not None:
+        rounding = taken_out.noise(smallest_step(record.rates), record.step)
+        record, valid = _unfiltered(record, valid, taken_out)
+        rests = rests_of(record)
+        rests = replace(rests, noise=max(rests.noise, rounding))
+        rates = record.rates - rests.bias_at(record.t)
+        refuse_steep(record, rates, rests, taken_out)
     candidates = AXES if axis == "auto" else (axis,)
-    tried = [_along(record, rates, rests, body, pull, AXES.index(name)) for name in candidates]
+    tried = [
+        _along(record, rates, valid, rests, taken_out, body, pull, AXES.index(name))
+        for name in candidates
+    ]
     found, falls, sensed = _best(record, tried, [*candidates])
+    cutoff = None if taken_out is None else taken_out.cutoff
     limits = _limits(body)
     middle = 0.5 * (limits[0] + limits[1])
     near = [one for one in sensed if is_near(one, found)]
     collisions = [collision_of(one, found, rests.bias_error, body, pull, middle) for one in near]
     notes = _notes(record, rests, found, falls, len(sensed) - len(near), collisions, body)
+    if taken_out is not None:
+        collisions = [replace(one, own_errors=OTHER_FILTER * one.own_errors) for one in collisions]
+        notes.insert(0, _of_filter(taken_out))
     if not collisions:
         raise RimrollError(
             f"{record.name}: the body falls, but never upright through a near-collision that can"
-            " be read: " + (notes[-1] if notes else "its tilts are too small")
+            " be read: " + " ".join(notes[len(record.notes) :])
         )
     if needed_friction(body) == 0.0:
         notes.append("A body without height turns alike at every friction, so none follows.")
         none = [None] * len(collisions)
         return Analysis(
-            record, body, pull, level, rests, found, collisions, [], [*none], None, limits, notes
+            record,
+            body,
+            pull,
+            level,
+            rests,
+            found,
+            collisions,
+            [],
+            [*none],
+            None,
+            limits,
+            notes,
+            cutoff,
         )
     predictions = [predicted(one, body, pull) for one in collisions]
     threshold = chi_square(level)
@@ -204,8 +238,34 @@ def analyze(
         )
     return Analysis(
         record, body, pull, level, rests, found, collisions, predictions, frictions, together,
-        limits, notes,
+        limits, notes, cutoff,
     )  # fmt: skip
+
+
+Mask = NDArray[np.bool_]
+
+
+def _within_range(record: Record) -> Mask:
+    """The samples that are not cut off at the sensor's range, (n,)."""
+    if cut_off(record.rates) == 0:
+        return np.ones(len(record), bool)
+    sizes = np.abs(record.rates)
+    return np.asarray((sizes < (1.0 - 1e-6) * sizes.max()).all(axis=1))
+
+
+def _unfiltered(record: Record, valid: Mask, taken_out: Filter) -> tuple[Record, Mask]:
+    """The record as it was before a filter, and its samples that follow from valid ones."""
+    t, rates = taken_out.undone(record.t, record.rates)
+    return replace(record, t=t, rates=rates), valid[2:] & valid[1:-1] & valid[:-2]
+
+
+def _of_filter(taken_out: Filter) -> str:
+    return (
+        "The sensor smears near-collisions, as a low-pass filter of second order at"
+        f" {taken_out.cutoff:.0f} Hz does. This filter was taken out; as filters of other kinds"
+        f" smear otherwise, the errors were multiplied by {OTHER_FILTER:g}. Choose the sensor's"
+        " widest band."
+    )
 
 
 @dataclass(frozen=True)
@@ -218,15 +278,18 @@ class _Tried:
 
 
 def _along(
-    record: Record, rates: Array, rests: Rests, body: Body, gravity: float, column: int
+    record: Record,
+    rates: Array,
+    valid: Mask,
+    rests: Rests,
+    taken_out: Filter | None,
+    body: Body,
+    gravity: float,
+    column: int,
 ) -> _Tried:
     """The passages if the body's axis is near one of the sensor's, with the axis that fits best."""
     guess = np.eye(3)[column]
-    largest = np.abs(record.rates).max()
-    valid = (np.abs(record.rates) < (1.0 - 1e-6) * largest).all(axis=1) | (
-        cut_off(record.rates) == 0
-    )
-    axis, falls, sensed = None, Falls([], 0), []
+    axis, falls, sensed = None, Falls([]), []
     for _ in range(2):  # a better axis shows the peaks better
         across = rates - np.outer(rates @ guess, guess)
         size = np.linalg.norm(across, axis=1)
@@ -240,6 +303,7 @@ def _along(
                 rates[one.start : one.end + 1],
                 rests.noise,
                 body,
+                taken_out,
             )
             for one in falls.passages
             if not _has_gap(record, one)
@@ -266,13 +330,9 @@ def _best(
         if one.axis is not None
     ]
     if not possible:
-        unread = max(one.falls.unread for one in tried)
-        more = (
-            f"; {unread} peaks of the rate are too quick, not as steep as gravity makes"
-            " them, or cut off by the end of the record"
-            if unread
-            else ""
-        )
+        most = max((one.falls for one in tried), key=lambda falls: falls.unread)
+        why = most.why_unread(record.sampling_rate)
+        more = f"; peaks of the rate that were not read: {why}" if why else ""
         raise RimrollError(
             f"{record.name}: no fall through a near-collision was found{more}. Give the body that"
             " was recorded, and an axis if you know which one points along it"
@@ -327,9 +387,8 @@ def _notes(
         )
     if falls.unread:
         notes.append(
-            f"Not read: {_counted(falls.unread, 'other peak')} of the rate, too quick for"
-            f" a sampling rate of {record.sampling_rate:.0f} Hz, not as steep as gravity makes"
-            " them, or cut off by the end of the record."
+            f"Not read: {_counted(falls.unread, 'other peak')} of the rate:"
+            f" {falls.why_unread(record.sampling_rate)}."
         )
     if far:
         notes.append(

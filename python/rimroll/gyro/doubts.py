@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from rimroll.body import Body
 from rimroll.errors import RimrollError
+from rimroll.gyro.filtering import Filter, filter_of
 from rimroll.gyro.record import Record
 from rimroll.gyro.rests import Rests
 
@@ -16,6 +17,9 @@ Array = NDArray[np.float64]
 
 SLOWEST = 0.5
 """The largest rate of a record in which nothing falls, rad/s."""
+STEEP, LEFT = 0.5, 0.8
+"""The decay time that a filter leaves after it was taken out, over its own and over the step of the
+record, from which on it is steeper than one of second order."""
 FASTEST = 60.0
 """A rate in rad/s that no rocking body reaches, and that degrees/s easily do."""
 
@@ -52,11 +56,22 @@ def refuse_unlikely(record: Record, rates: Array, rests: Rests, body: Body, grav
     turned = np.trapezoid(rates, record.t, axis=0)
     longest = float(np.abs(turned).max())
     fraction = np.abs(rates).max(axis=0).max() / max(largest, 1e-9)
-    if longest > 3.0 * math.tau and fraction > 0.98:
+    if longest > math.tau and fraction > 0.98:
         column = int(np.abs(turned).argmax())
         other = float(np.sqrt((np.delete(rates, column, axis=1) ** 2).sum(axis=1)).max())
         if other < 0.3 * largest:
             raise RimrollError(
-                f"{record.name}: the body turns {longest / math.tau:.0f} times about one axis and"
+                f"{record.name}: the body turns {longest / math.tau:.1f} times about one axis and"
                 " hardly about the others: it rolls on its side, or spins, and does not rock"
             )
+
+
+def refuse_steep(record: Record, rates: Array, rests: Rests, taken_out: Filter) -> None:
+    """Raise ``RimrollError`` where a filter that was taken out leaves a strong one."""
+    left = filter_of(record.t, rates, rests.noise, LEFT)
+    if left is not None and left.decay > STEEP * taken_out.decay:
+        raise RimrollError(
+            f"{record.name}: the sensor's filter smears a near-collision over"
+            f" {4e3 * taken_out.decay:.0f} ms and is too steep to be taken out, so the turn cannot"
+            " be read: record with the sensor's widest band"
+        )

@@ -24,6 +24,8 @@ NEAR = 0.03
 """The time on each side of a collision in which the rate is taken as a straight line, s."""
 LOSS = 0.04
 """The part of the rate by which it must fall in a collision before this is taken for a loss."""
+MOVING = 0.2
+"""The rate at the end of a record, over its last peak, from which on the body still moves there."""
 GUARD = 2
 """Samples beside a collision that the filter of a sensor may smear."""
 
@@ -48,10 +50,30 @@ class Passage:
 
 @dataclass(frozen=True)
 class Falls:
-    """The passages of a record, and how many collisions were too quick or too rough to read."""
+    """The passages of a record, and how many other peaks its rate has.
+
+    ``cut_off``: those after which the record ends before the largest tilt; ``quick``: those with
+    too few samples; ``rough``: those that are not as steep as gravity makes them.
+    """
 
     passages: list[Passage]
-    unread: int
+    cut_off: int = 0
+    quick: int = 0
+    rough: int = 0
+
+    @property
+    def unread(self) -> int:
+        """How many peaks are of no passage."""
+        return self.cut_off + self.quick + self.rough
+
+    def why_unread(self, sampling_rate: float) -> str:
+        """Why peaks were not read, in words."""
+        reasons = [
+            (self.quick, f"too quick for a sampling rate of {sampling_rate:.0f} Hz"),
+            (self.rough, "not as steep as gravity makes the peak of a fall"),
+            (self.cut_off, "cut off by the end of the record"),
+        ]
+        return ", ".join(f"{count} {reason}" for count, reason in reasons if count)
 
 
 def accelerations(body: Body, gravity: float) -> tuple[float, float]:
@@ -59,6 +81,18 @@ def accelerations(body: Body, gravity: float) -> tuple[float, float]:
     m, R, H, A = body.mass, body.radius, body.height, body.transverse_inertia
     pull = m * gravity * R
     return pull / (A + m * (R**2 + H**2)), pull / (A + m * R**2)
+
+
+def peaks_of(rate: Array, noise: float, dip: int = 1) -> tuple[list[int], list[int]]:
+    """The peaks of a rate (n,), rad/s, and the smallest samples before, between and after them.
+
+    Two peaks with a dip of less than ``dip`` samples between them count as one.
+    """
+    from scipy.ndimage import grey_closing
+
+    filled = grey_closing(rate, dip) if dip > 1 else rate
+    peaks = _peaks(filled, max(LEAST_RATE, OF_LARGEST * float(rate.max()), 20.0 * noise))
+    return peaks, _lows(filled, peaks)
 
 
 def falls_of(
@@ -71,33 +105,35 @@ def falls_of(
     """
     slow, fast = sorted(accelerations(body, gravity))
     near = max(int(NEAR / float(np.median(np.diff(t)))), MIN_SAMPLES)
-    least = max(LEAST_RATE, OF_LARGEST * float(rate.max()), 20.0 * noise)
-    peaks = _peaks(rate, least)
+    peaks, lows = peaks_of(rate, noise)
     passages: list[Passage] = []
-    unread = 0
-    lows = _lows(rate, peaks)
+    cut_off = quick = rough = 0
     for k, peak in enumerate(peaks):
         start, end = lows[k], lows[k + 1]
         before, after = _sides(valid, peak)
         is_whole = end < len(rate) - GUARD  # else the record ends before the largest tilt
-        if before - start < MIN_SAMPLES or end - after < MIN_SAMPLES or not is_whole:
-            unread += 1
+        if not is_whole:
+            cut_off += 1
+            continue
+        if before - start < MIN_SAMPLES or end - after < MIN_SAMPLES:
+            quick += 1
             continue
         rise = _line(t, rate, max(start + 1, before - near), before)
         fall = _line(t, rate, after, min(end - 1, after + near))
         low, high = SLOPES[0] * slow, SLOPES[1] * fast
         if not (low < rise[0] < high and low < -fall[0] < high):
-            unread += 1
+            ends_moving = k == len(peaks) - 1 and rate[-1] > MOVING * rate[peak]
+            cut_off, rough = cut_off + ends_moving, rough + (not ends_moving)
             continue
         moment = _collision(t, rate, (before, peak, after), rise, fall)
         follows = bool(passages) and passages[-1].end == start
         if not follows:
             start = _release(t, rate, start, before, high, noise)
             if before - start < MIN_SAMPLES:
-                unread += 1
+                quick += 1
                 continue
         passages.append(Passage(start, before, after, end, moment, not follows))
-    return Falls(passages, unread)
+    return Falls(passages, cut_off, quick, rough)
 
 
 def _peaks(rate: Array, least: float) -> list[int]:
@@ -185,7 +221,7 @@ def _release(t: Array, rate: Array, low: int, before: int, steepest: float, nois
     i = before
     while i - width >= low:
         span = float(t[i] - t[i - width])
-        slope, error = (rate[i] - rate[i - width]) / span, 3.0 * noise / span
+        slope, error = (rate[i] - rate[i - width]) / span, 4.5 * noise / span
         if slope > steepest + error or (slope < error and rate[i] < 6.0 * noise):
             break
         i -= 1

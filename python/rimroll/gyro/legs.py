@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 
 from rimroll.body import Body
 from rimroll.gyro.attitude import across, product, unit
+from rimroll.gyro.filtering import Filter
 
 Array = NDArray[np.float64]
 
@@ -133,12 +134,18 @@ class Leg:
 
 
 def leg_of(
-    path: Path, collision: float, body: Body, noise: float, step: float, up: tuple[Array, Array]
+    path: Path,
+    collision: float,
+    body: Body,
+    noise: float,
+    step: float,
+    up: tuple[Array, Array],
+    taken_out: Filter | None = None,
 ) -> Leg:
     """The leg with samples on one side of a collision (time in s); noise of a rate in rad/s.
 
     ``step`` is the time from sample to sample, s; ``up`` are two horizontal directions from which
-    headings are counted.
+    headings are counted; ``taken_out`` is a filter that the record went through.
     """
     edge = 0 if path.t[0] > collision else len(path.t) - 1
     n, turning = path.axis[edge], path.turning[edge]
@@ -151,7 +158,10 @@ def leg_of(
     # How far along the path the vertical is follows from the time of the collision, which is
     # known to a part of a step; on a curved path also from the momentum.
     along_error = TIME_ERROR * step * float(path.rate[edge])
-    smeared = SMEARED * np.exp(-DECAY / step * np.abs(path.t - collision))
+    apart = np.abs(path.t - collision)
+    smeared = SMEARED * np.exp(-DECAY / step * apart)
+    if taken_out is not None:
+        smeared += 2.0 * taken_out.left(step) * np.exp(-apart / taken_out.decay)
     scatter = np.sqrt(noise**2 + (SENSITIVITY * path.rate) ** 2 + (smeared * path.rate[edge]) ** 2)
     design = np.empty((len(path.t), 3))
     design[:, 0], design[:, 1], design[:, 2] = path.turning @ sideways, path.turning @ onward, -1.0

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rimroll.body import Body
 from rimroll.gyro.attitude import attitudes
 from rimroll.gyro.falls import GUARD, Passage
+from rimroll.gyro.filtering import Filter
 from rimroll.gyro.legs import Leg, horizontal, leg_of, path_of
 
 Array = NDArray[np.float64]
@@ -28,6 +29,7 @@ class Sensed:
     rates: Array
     noise: float
     body: Body
+    taken_out: Filter | None = None
 
     @cached_property
     def attitudes(self) -> Array:
@@ -44,12 +46,13 @@ class Sensed:
     def legs(self, axis: Array, later: float = 0.0) -> tuple[Leg, Leg]:
         """The fall and the rise, for an axis in the sensor, the collision ``later`` by seconds."""
         passage, path = self.passage, path_of(self.t, self.rates, axis, self.attitudes)
-        up, collision = horizontal(axis), passage.t + later
+        collision = passage.t + later
+        given = (self.body, self.noise, self.step, horizontal(axis), self.taken_out)
         before = path.part(0, passage.before - passage.start)
         after = path.part(passage.after - passage.start, passage.end - passage.start)
         return (
-            leg_of(before, collision, self.body, self.noise, self.step, up),
-            leg_of(after, collision, self.body, self.noise, self.step, up),
+            leg_of(before, collision, *given),
+            leg_of(after, collision, *given),
         )
 
     def turn(self, axis: Array, later: float = 0.0) -> float:

@@ -54,7 +54,7 @@ def rests_of(record: Record) -> Rests:
     width = max(round(WINDOW / record.step), 8)
     if width >= len(record):
         return Rests([], np.zeros((0, 3)), _roughness(record.rates), UNKNOWN_BIAS)
-    step = _smallest_step(record.rates)
+    step = smallest_step(record.rates)
     windows = sliding_window_view(record.rates, width, axis=0)
     means, spreads = windows.mean(axis=-1), windows.std(axis=-1, ddof=1).max(axis=1)
     possible = (spreads < QUIET) & (np.abs(means).max(axis=1) < LARGEST_BIAS)
@@ -85,10 +85,10 @@ def rests_of(record: Record) -> Rests:
 def _roughness(rates: Array) -> float:
     """Noise of a sample from third differences, which smooth motions leave small."""
     third = np.diff(rates, 3, axis=0) / np.sqrt(20.0)
-    return float(np.median(np.abs(third)) / 0.6745) + _smallest_step(rates) / math.sqrt(12.0)
+    return float(np.median(np.abs(third)) / 0.6745) + smallest_step(rates) / math.sqrt(12.0)
 
 
-def _smallest_step(rates: Array) -> float:
+def smallest_step(rates: Array) -> float:
     """The smallest difference between two rates that occur along one axis: the resolution."""
     steps = [np.diff(np.unique(rates[:, i])) for i in range(3)]
     return float(min((step.min() for step in steps if len(step)), default=0.0))

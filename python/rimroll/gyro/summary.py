@@ -29,6 +29,7 @@ def summary_of(found: Analysis) -> dict[str, Any]:
         "sampling_rate": found.record.sampling_rate,
         "rests": [list(span) for span in found.rests.spans],
         "noise": found.rests.noise,
+        "filter_cutoff": found.filter_cutoff,
         "bias": found.rests.bias.mean(axis=0).tolist() if found.rests.spans else None,
         "axis": found.axis.direction.tolist(),
         "axis_error": math.degrees(found.axis.error),
