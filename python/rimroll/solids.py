@@ -1,4 +1,4 @@
-"""Solids of revolution, the parts of a :class:`rimroll.Body`.
+"""Solids of revolution, and boxes taken as such: the parts of a :class:`rimroll.Body`.
 
 All share the symmetry axis. Heights are measured from the table when the body stands upright, in
 metres; masses in kg. Each function raises ``RimrollError`` for a number outside its bound.
@@ -6,10 +6,12 @@ metres; masses in kg. Each function raises ``RimrollError`` for a number outside
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, fields
 
 from rimroll import _core
+from rimroll.errors import RimrollError
 from rimroll.given import Number, number
 from rimroll.units import UNIT_OF
 
@@ -71,6 +73,23 @@ def ring(mass: Number, radius: Number, height: Number = 0.0) -> Solid:
 def wall(mass: Number, radius: Number, length: Number, base: Number = 0.0) -> Solid:
     """A thin cylindrical wall, open at both ends, from ``base`` up: C = mR², A = C/2 + mL²/12."""
     return _made(_core.wall, mass=mass, radius=radius, length=length, base=base)
+
+
+def box(
+    mass: Number, width: Number, thickness: Number, length: Number, base: Number = 0.0
+) -> Solid:
+    """A box such as a phone, upright on the axis: C = m(w² + t²)/12, A = C/2 + mL²/12.
+
+    A box is not round: A is the mean of its two moments across, which differ by m(w² − t²)/12. A
+    small box in a heavy body hardly disturbs its motion, a large one does.
+    """
+    given = {"width": width, "thickness": thickness}
+    sides = {name: number(name, size, "m") for name, size in given.items()}
+    for name, side in sides.items():
+        if not 0.0 < side < math.inf:
+            raise RimrollError(f"{name} must be > 0 and finite, got {side:g} m")
+    # A cylinder with the same moments, 2 r² = (w² + t²)/3.
+    return cylinder(mass, math.hypot(*sides.values()) / math.sqrt(6.0), length, base)
 
 
 def filling(density: Number, radius: Number, depth: Number, base: Number = 0.0) -> Solid:

@@ -41,6 +41,8 @@ UNIT_OF = {
     "height": "m",
     "length": "m",
     "depth": "m",
+    "width": "m",
+    "thickness": "m",
     "base": "m",
     "density": "kg/m^3",
     "transverse_inertia": "kg m^2",

@@ -192,9 +192,22 @@ def test_solids_have_the_moments_of_the_rings_they_are_made_of(solid, part):
     assert_same_body(rr.Body.from_solids(0.1, [solid]), summed([part], 0.1), 5e-5)
 
 
+def test_a_box_has_the_mean_of_its_moments_across():
+    """From the second moments of points that fill it, by integration on a grid."""
+    width, thickness, length, base = 0.07, 0.008, 0.15, 0.02
+    sides = np.meshgrid(*[(np.arange(60) + 0.5) / 60 - 0.5] * 3, indexing="ij")
+    x, y, z = (side * one for side, one in zip(sides, (width, thickness, length), strict=True))
+    mean_across = np.mean((y**2 + z**2 + x**2 + z**2) / 2)
+    box = rr.solids.box("190 g", width, thickness, length, base)
+    assert (box.mass, box.height) == (0.19, pytest.approx(base + 0.5 * length))
+    assert box.transverse_inertia == pytest.approx(0.19 * mean_across, rel=1e-3)
+    assert box.axial_inertia == pytest.approx(0.19 * np.mean(x**2 + y**2), rel=1e-3)
+
+
 @pytest.mark.parametrize(
     ("make", "complaint"),
     [
+        (lambda: rr.solids.box(1.0, 0.0, 0.1, 0.1), "width must be > 0 and finite, got 0 m"),
         (lambda: rr.solids.disk(-1.0, 0.1), "mass must be > 0, got -1 kg"),
         (lambda: rr.solids.ring(1.0, 0.0), "radius must be > 0, got 0 m"),
         (lambda: rr.solids.wall(1.0, 0.1, -0.1), "length must be >= 0, got -0.1 m"),

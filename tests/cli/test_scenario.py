@@ -76,6 +76,7 @@ def test_every_kind_of_solid_is_that_of_the_module(written):
         "disk": "mass = 1\nradius = 0.1\nheight = 0.3",
         "ring": "mass = 1\nradius = 0.1",
         "wall": "mass = 1\nradius = 0.1\nlength = 0.2\nbase = 0.1",
+        "box": "mass = 0.2\nwidth = 0.07\nthickness = 0.008\nlength = 0.15\nbase = 0.01",
         "filling": "density = 1000\nradius = 0.1\ndepth = 0.2",
         "solid": "mass = 1\nheight = 0.1\ntransverse_inertia = 0.2\naxial_inertia = 0.3",
     }
@@ -87,6 +88,7 @@ def test_every_kind_of_solid_is_that_of_the_module(written):
         s.disk(1, 0.1, 0.3),
         s.ring(1, 0.1),
         s.wall(1, 0.1, 0.2, 0.1),
+        s.box(0.2, 0.07, 0.008, 0.15, 0.01),
         s.filling(1000, 0.1, 0.2),
         s.Solid(1, 0.1, 0.2, 0.3),
     ]

@@ -56,6 +56,7 @@ SOLIDS: dict[str, Callable[..., solids.Solid]] = {
     "disk": solids.disk,
     "ring": solids.ring,
     "wall": solids.wall,
+    "box": solids.box,
     "filling": solids.filling,
     "solid": solids.Solid,
 }
