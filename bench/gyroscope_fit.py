@@ -95,6 +95,8 @@ def fitted(sensor: rr.gyro.Sensor, seed: int) -> Fitted:
         fit = rr.fit_motion(record, TIN, axis="z", body_error=BODY_ERROR)
     except rr.RimrollError as error:
         return Fitted(friction, why=str(error))
+    if len(fit.starts) > 1:
+        return Fitted(friction, why="its release was not read")
     _, rolling, sliding = fit.verdicts
     wrong = (friction == 0.0 and sliding.excluded) or (friction > needed and rolling.excluded)
     excluded = (rolling.excluded, sliding.excluded)

@@ -325,3 +325,17 @@ def test_falls_across_a_gap_are_not_read(slipping):
 def test_impossible_arguments_are_refused(slipping, options, message):
     with pytest.raises(rr.RimrollError, match=message):
         rr.gyro.analyze(slipping[1], CAN, **options)
+
+
+def test_a_fall_after_a_near_collision_that_was_not_read_is_no_release(slipping):
+    """The rim may still slide then, so such a fall gives no friction of its own."""
+    _, record = slipping
+    whole = rr.gyro.analyze(record, CAN)
+    first, second = whole.collisions[:2]
+    shown = np.array(record.rates)
+    beside = np.abs(record.t - first.time) < 0.06  # a knock hides the first near-collision
+    shown[beside] *= 1.0 + 0.8 * np.sin(200.0 * record.t[beside])[:, np.newaxis]
+    found = rr.gyro.analyze(replace(record, rates=shown), CAN, axis="z")
+    later = min(found.collisions, key=lambda one: abs(one.time - second.time))
+    assert later.time == pytest.approx(second.time, abs=0.005)
+    assert not later.released

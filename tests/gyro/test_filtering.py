@@ -71,14 +71,14 @@ def test_a_passage_that_is_not_near_upright_shows_none(yaw_rate):
 
 def test_after_a_filter_at_20_hz_the_veer_and_the_friction_come_back(motion):
     for seed in range(4):
-        found = rr.gyro.analyze(phone(20.0).record(motion, seed=seed), CAN)
+        found = rr.gyro.analyze(phone(20.0).record(motion, seed=seed), CAN, axis="z")
         one = found.collisions[0]
         turn = min(motion.turns, key=lambda turn: abs(turn.t + RELEASE - one.time))
         assert abs(one.veer - (abs(turn.angle) - math.pi)) < min(
             2.0 * one.veer_error, math.radians(5.0)
         )
         low, high = found.friction.interval
-        assert low < FRICTION < high
+        assert low < FRICTION < (high or math.inf)
         assert found.filter_cutoff == pytest.approx(20.0, rel=0.1)
         assert found.to_dict()["filter_cutoff"] == found.filter_cutoff
         assert "low-pass filter of second order" in found.notes[0]

@@ -24,6 +24,10 @@ NEAR = 0.03
 """The time on each side of a collision in which the rate is taken as a straight line, s."""
 LOSS = 0.04
 """The part of the rate by which it must fall in a collision before this is taken for a loss."""
+HELD = 0.15
+"""The rate of a body that a hand holds, at most, rad/s, beside the noise."""
+LONGER = 1.5
+"""How much longer it must be so slow than where a free body's tilt is largest."""
 MOVING = 0.2
 """The rate at the end of a record, over its last peak, from which on the body still moves there."""
 GUARD = 2
@@ -126,13 +130,14 @@ def falls_of(
             cut_off, rough = cut_off + ends_moving, rough + (not ends_moving)
             continue
         moment = _collision(t, rate, (before, peak, after), rise, fall)
-        follows = bool(passages) and passages[-1].end == start
-        if not follows:
+        # A peak before it that was not read may be a near-collision, or a hand's.
+        held = k == 0 or _is_held(t, rate, start, slow, noise)
+        if held:
             start = _release(t, rate, start, before, high, noise)
             if before - start < MIN_SAMPLES:
                 quick += 1
                 continue
-        passages.append(Passage(start, before, after, end, moment, not follows))
+        passages.append(Passage(start, before, after, end, moment, held))
     return Falls(passages, cut_off, quick, rough)
 
 
@@ -213,6 +218,17 @@ def _collision(
 
     found = area(rise, t[[before]], trial) + area(fall, trial, t[[after]])
     return float(trial[np.argmin(np.abs(found - total))])
+
+
+def _is_held(t: Array, rate: Array, low: int, slow: float, noise: float) -> bool:
+    """Whether the body rests at a low, longer than a largest tilt lasts."""
+    first, last = low, low
+    still = HELD + 6.0 * noise
+    while first > 0 and rate[first - 1] < still:
+        first -= 1
+    while last < len(rate) - 1 and rate[last + 1] < still:
+        last += 1
+    return bool(t[last] - t[first] > LONGER * 2.0 * still / slow)
 
 
 def _release(t: Array, rate: Array, low: int, before: int, steepest: float, noise: float) -> int:
