@@ -339,3 +339,11 @@ def test_a_fall_after_a_near_collision_that_was_not_read_is_no_release(slipping)
     later = min(found.collisions, key=lambda one: abs(one.time - second.time))
     assert later.time == pytest.approx(second.time, abs=0.005)
     assert not later.released
+
+
+def test_a_fall_that_follows_one_that_was_read_is_no_release():
+    """Even from near the balance point, where a body lingers as in a hand."""
+    tilt = 0.85 * rr.balance_tilt(CAN)
+    motion = motion_under(rr.NoSlip(), rr.State(tilt=tilt, yaw_rate=0.1), 1.4)
+    found = rr.gyro.analyze(rr.gyro.phone(200.0).record(motion, seed=1), CAN)
+    assert [one.released for one in found.collisions] == [True, False]

@@ -131,7 +131,8 @@ def falls_of(
             continue
         moment = _collision(t, rate, (before, peak, after), rise, fall)
         # A peak before it that was not read may be a near-collision, or a hand's.
-        held = k == 0 or _is_held(t, rate, start, slow, noise)
+        follows = bool(passages) and passages[-1].end == start
+        held = k == 0 or (not follows and _is_held(t, rate, start, slow, noise))
         if held:
             start = _release(t, rate, start, before, high, noise)
             if before - start < MIN_SAMPLES:

@@ -22,6 +22,9 @@ SENSITIVITY = 1e-3
 """Error of a rate over the rate: the digital output and the axes are not ideal."""
 TIMING = 1e-4
 """Error of the time of a sample, s."""
+FADING = 0.5
+"""The time after a collision that is not fitted if a filter was taken out, over the period of its
+cut-off frequency: twice its decay time."""
 LEAST_SIDE = 1e-3
 """The least difference in yaw rate between starts that turn to either side, rad/s."""
 
@@ -53,7 +56,7 @@ def window_of(found: Analysis, chain: Chain, count: int) -> Window:
     t, step = record.t, record.step
     used = (t >= some[0].start) & (t <= some[-1].end)
     for one in some:
-        used &= (t <= one.last_before) | (t >= one.first_after)
+        used &= (t <= one.last_before) | (t >= one.first_after + _fading(found))
     rates = record.rates - found.rests.bias_at(t)
     slopes = np.linalg.norm(np.gradient(rates, t, axis=0), axis=1)[used]
     sizes = np.linalg.norm(rates[used], axis=1)
@@ -62,6 +65,11 @@ def window_of(found: Analysis, chain: Chain, count: int) -> Window:
     ]
     release = some[0].start - (GUARD + 0.5) * step
     return Window(release, t[used], rates[used], scatter)
+
+
+def _fading(found: Analysis) -> float:
+    """How long after a collision a filter that was taken out leaves a rest of the jump, s."""
+    return 0.0 if found.filter_cutoff is None else FADING / found.filter_cutoff
 
 
 def sides(found: Analysis, one: Collision) -> tuple[float, float]:
