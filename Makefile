@@ -23,7 +23,7 @@ demo: $(REPORT) ## redo the paper's figures and tables as one page
 web: $(PAGE) ## build the lab, the page that `rimroll lab` opens
 	@echo "The page is $(PAGE): .venv/bin/rimroll lab opens it."
 
-docs: $(REPORT) $(PAGE) .venv/.docs ## build the documentation site: out/docs
+docs: $(REPORT) $(PAGE) .venv/.docs $(if $(PYODIDE),.venv/.notebooks) ## build the documentation site: out/docs
 	tools/build_docs.sh
 
 # The next target that needs the optimised extension builds it again.
@@ -108,6 +108,10 @@ web/node_modules/.installed: web/package.json web/package-lock.json web/.npmrc t
 
 .venv/.docs: .venv/.packages
 	.venv/bin/uv pip install --quiet --python .venv/bin/python --constraint constraints.txt --group docs
+	@touch $@
+
+.venv/.notebooks: .venv/.packages
+	.venv/bin/uv pip install --quiet --python .venv/bin/python --constraint constraints.txt --group notebooks
 	@touch $@
 
 .venv/.wheels: .venv/.packages

@@ -1,5 +1,6 @@
 """How Sphinx builds the documentation site; `make docs` runs it."""
 
+import os
 import sys
 import tomllib
 from pathlib import Path
@@ -40,6 +41,9 @@ myst_heading_anchors = 3
 suppress_warnings = ["myst.header"]  # CHANGELOG.md repeats headings by intent
 numfig = True  # equations are numbered by the page of the theory that they stand on
 numfig_secnum_depth = 1
+
+# Whether tools/build_docs.sh adds JupyterLite, which then runs the notebooks.
+notebooks_run = bool(os.environ.get("PYODIDE"))
 
 autosummary_generate = False
 autodoc_member_order = "bysource"

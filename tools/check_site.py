@@ -10,7 +10,7 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 # What Sphinx does not write: their own builds check them.
-INSERTED = ("lab/", "paper/", "reference/rust/")
+INSERTED = ("lab/", "notebooks/", "paper/", "reference/rust/")
 
 
 class Page(HTMLParser):

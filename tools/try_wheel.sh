@@ -41,7 +41,7 @@ arm64)
         "$debian/usr/bin/$version" -S tools/smoke_test.py
     ;;
 pyodide)
-    # A release of Pyodide whose binary interface is that of MATURIN_PYEMSCRIPTEN_PLATFORM_VERSION.
+    # A release of Pyodide (as in docs.yml) whose binary interface is that of MATURIN_PYEMSCRIPTEN_PLATFORM_VERSION.
     tools/node.sh npm install --silent --no-save --prefix "$folder" pyodide@314.0.7
     tools/node.sh node "$PWD/tools/smoke_test_pyodide.mjs" \
         "$folder/node_modules/pyodide/pyodide.mjs" "$(realpath "$file")" "$PWD"

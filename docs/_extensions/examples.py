@@ -1,7 +1,8 @@
 """Pages made from the repository's examples.
 
 `<!-- scripts -->` in a page becomes a section for each script in examples/, from its docstring. A
-page that consists of `<!-- notebook: NAME -->` shows that notebook, executed by a kernel.
+page that consists of `<!-- notebook: NAME -->` shows that notebook, executed by a kernel. If
+`notebooks_run` is set, it links to the copy that the reader can run.
 """
 
 import ast
@@ -12,6 +13,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 SCRIPTS = "<!-- scripts -->"
+RUN = (
+    '<p><a href="../notebooks/notebooks/index.html?path={notebook}">Run this notebook in your '
+    "browser</a>: nothing has to be installed. Python starts in the page, which takes a while at "
+    "first.</p>"
+)
 NOTEBOOK = re.compile(r"<!-- notebook: (\S+) -->\s*")
 
 
@@ -50,7 +56,7 @@ def executed(notebook):
     return client.execute()
 
 
-def page_of(notebook, pictures):
+def page_of(notebook, pictures, runs):
     """The notebook as Markdown; its pictures are written to a folder beside the page."""
     parts = []
     for number, cell in enumerate(executed(notebook).cells):
@@ -61,6 +67,8 @@ def page_of(notebook, pictures):
         for output in cell.outputs:
             name = f"{notebook.stem}-{number}.png"
             parts.append(shown(output, pictures / name))
+    if runs:
+        parts.insert(1, RUN.format(notebook=notebook.name))  # below the question
     return "\n\n".join(parts) + "\n"
 
 
@@ -84,7 +92,7 @@ def read(app, name, source):
     if found:
         notebook = ROOT / found[1]
         app.env.note_dependency(str(notebook))
-        source[0] = page_of(notebook, page.parent / "made")
+        source[0] = page_of(notebook, page.parent / "made", app.config.notebooks_run)
     elif SCRIPTS in source[0]:
         for script in scripts():
             app.env.note_dependency(str(script))
@@ -93,5 +101,6 @@ def read(app, name, source):
 
 
 def setup(app):
+    app.add_config_value("notebooks_run", default=False, rebuild="env")
     app.connect("source-read", read, priority=400)  # before links are led to their pages
     return {"parallel_read_safe": True, "parallel_write_safe": True}

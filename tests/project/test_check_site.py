@@ -54,6 +54,7 @@ def test_a_broken_link_and_a_file_from_elsewhere_are_found(tmp_path, body, fault
         ("paper.html", True),
         ("reference/rust.html", True),
         ("lab/index.html", False),
+        ("notebooks/lab/index.html", False),
         ("paper/index.html", False),
         ("reference/rust/index.html", False),
     ],
