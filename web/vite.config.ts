@@ -5,6 +5,7 @@ import { licences } from "./licences";
 import { offline } from "./offline";
 import { preview } from "./preview";
 import { smallShaders } from "./shaders";
+import { unloaded } from "./unloaded";
 
 const FOLDER = "../python/rimroll/page";
 
@@ -30,6 +31,7 @@ export default defineConfig(({ mode }) => ({
           licences("licences.txt", ["serwist"]),
           fields("setup.json"),
           preview(),
+          unloaded(),
           offline(FOLDER, "offline.js"),
         ]),
   ],

@@ -3,8 +3,11 @@
 import { pathToFileURL } from "node:url";
 import { join } from "node:path";
 import type { Frame, Page } from "playwright-core";
-import { expect, test } from "vitest";
+import { describe, expect, test } from "vitest";
+import { UNLOADED } from "../../src/words/unloaded";
+import { LANGUAGES } from "../../src/words/language";
 import { PAGE } from "../given/server";
+import { first } from "../given/soak";
 import { addressOfPage, browserForAll, emptyPage } from "./visit";
 
 browserForAll();
@@ -16,6 +19,58 @@ test("opened from a file", async () => {
   await page.goto(`${pathToFileURL(join(PAGE, "index.html")).href}#lab`);
   await said(page).getByText("rimroll lab", { exact: true }).waitFor();
   expect(await said(page).innerText()).toMatch(/opened as a file.*web server/s);
+});
+
+/** A text as it is shown, where backquotes become code. */
+const shown = (text: string) => text.replaceAll("`", "");
+
+describe.each(first(3, ["de", "zh", "en", "es", "fr", "pt"] as const))(
+  "in the language %s",
+  (lang) => {
+    const words = UNLOADED[lang];
+    const about = async (page: Page, text: string) => {
+      await said(page).getByText(shown(text), { exact: true }).waitFor();
+      expect(await said(page).locator("[lang]").getAttribute("lang")).toBe(lang);
+    };
+
+    test("from a file", async () => {
+      const page = await emptyPage({ locale: lang });
+      await page.goto(`${pathToFileURL(join(PAGE, "index.html")).href}#lab`);
+      await about(page, words.file);
+    });
+
+    test("without its script, also if the address names the language", async () => {
+      const page = await emptyPage();
+      await page.route(/index-.*\.js$/, (route) => route.fulfill({ status: 404 }));
+      await page.goto(`${addressOfPage()}?lang=${lang}#lab`);
+      await about(page, words.failed.replace("{0}", words.missing));
+    });
+
+    test("in a browser without modules", async () => {
+      const page = await emptyPage({ locale: lang });
+      await page.addInitScript("delete HTMLScriptElement.prototype.noModule");
+      // Such a browser skips the script.
+      await page.route(/index-.*\.js$/, (route) =>
+        route.fulfill({ contentType: "text/javascript", body: "" }),
+      );
+      await page.goto(`${addressOfPage()}#lab`);
+      await about(page, words.failed.replace("{0}", words.old));
+    });
+  },
+);
+
+test("the words are there in all languages", () => {
+  expect(Object.keys(UNLOADED).sort()).toEqual([...LANGUAGES].sort());
+  for (const words of Object.values(UNLOADED)) {
+    expect(Object.keys(words)).toEqual(Object.keys(UNLOADED.en));
+    for (const [name, text] of Object.entries(words)) {
+      const english = UNLOADED.en[name as keyof typeof words];
+      // Commands, addresses and what stands for others are the same in all languages.
+      const fixed = (text: string) => [...text.matchAll(/`[^`]*`|\{\d\}|\d{4}/g)].map(([it]) => it);
+      expect(fixed(text).sort(), text).toEqual(fixed(english).sort());
+      if (words !== UNLOADED.en) expect(text).not.toBe(english);
+    }
+  }
 });
 
 test("in a sandboxed frame", async () => {

@@ -60,8 +60,8 @@ export const elsewhere = (requests: readonly string[]): string[] =>
 export const addressOfPage = (): string => served.address;
 
 /** An empty page of the browser. */
-export async function emptyPage(): Promise<Page> {
-  const context = await browser.newContext();
+export async function emptyPage(options: BrowserContextOptions = {}): Promise<Page> {
+  const context = await browser.newContext(options);
   await context.addInitScript(withoutWebGL);
   context.setDefaultTimeout(150_000);
   return context.newPage();
