@@ -3,7 +3,7 @@
 import { Ribbon } from "./ribbon";
 
 export class Guess {
-  private readonly line = new Ribbon(4);
+  private readonly line = new Ribbon(5);
   readonly mesh = this.line.mesh;
 
   constructor() {
@@ -14,8 +14,6 @@ export class Guess {
   /** Shows a guess at an azimuth (rad) round a spot of the table. */
   show(x: number, y: number, azimuth: number, color: string): void {
     const [c, s] = [Math.cos(azimuth), Math.sin(azimuth)];
-    this.line.layStrokes([
-      { from: [x + 0.5 * c, y + 0.5 * s], to: [x + 1.1 * c, y + 1.1 * s], color },
-    ]);
+    this.line.layStrokes([{ from: [x, y], to: [x + 1.25 * c, y + 1.25 * s], color }]);
   }
 }

@@ -69,9 +69,15 @@ export class Labels {
     this.labels[index]?.element.classList.toggle("hidden-spot", hidden);
   }
 
-  /** Places all labels, earlier ones first, without overlaps and beside a body that
-   * would be hidden. */
-  arrange(camera: Camera, width: number, height: number, body: Outline | undefined): void {
+  /** Places all labels on a picture, earlier ones first, without overlaps and beside a body that
+   * would be hidden. A strip at the bottom of the picture (px) stays free. */
+  arrange(
+    camera: Camera,
+    { width, height }: Readonly<{ width: number; height: number }>,
+    strip: number,
+    body: Outline | undefined,
+  ): void {
+    const bottom = height - Math.max(strip, MARGIN);
     for (const label of this.labels) {
       if (!label.shown) continue;
       if (label.width === 0) {
@@ -83,16 +89,16 @@ export class Labels {
       label.x = ((x + 1) / 2) * width - label.width / 2;
       label.y = ((1 - y) / 2) * height - label.height / 2;
       label.x = Math.min(Math.max(label.x, MARGIN), width - label.width - MARGIN);
-      label.y = Math.min(Math.max(label.y, MARGIN), height - label.height - MARGIN);
+      label.y = Math.max(Math.min(label.y, bottom - label.height), MARGIN);
       if (body) keepBeside(label, body, width);
-      this.makeRoom(label);
+      this.makeRoom(label, bottom);
       label.element.style.visibility = away ? "hidden" : "visible";
       label.element.style.transform = `translate(${label.x.toFixed(1)}px, ${label.y.toFixed(1)}px)`;
     }
   }
 
-  /** Moves a label up or down, past the labels before it. */
-  private makeRoom(label: Label): void {
+  /** Moves a label up or down, past the labels before it, where there is room. */
+  private makeRoom(label: Label, bottom: number): void {
     for (const other of this.labels) {
       if (other === label) return;
       if (!other.shown) continue;
@@ -100,7 +106,11 @@ export class Labels {
       const gap = (label.height + other.height) / 2 + 3;
       const apart = label.y + label.height / 2 - (other.y + other.height / 2);
       if (beside || Math.abs(apart) >= gap) continue;
-      label.y = other.y + other.height / 2 + (apart < 0 ? -gap : gap) - label.height / 2;
+      const moved = (by: number) => other.y + other.height / 2 + by - label.height / 2;
+      label.y =
+        (apart < 0 && moved(-gap) >= MARGIN) || moved(gap) + label.height > bottom
+          ? moved(-gap)
+          : moved(gap);
     }
   }
 }

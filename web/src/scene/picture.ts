@@ -61,6 +61,11 @@ import { words } from "../words/words";
 /** How far a shaken table may be from the middle of the picture, in radii of the circle of degrees. */
 const LEASH = 0.6;
 
+/** The contact point has begun to run when it has turned by this angle, rad. */
+const RUNS = 0.1;
+/** Height of the label of the guess above the table, in radii of the circle of degrees. */
+const SIGNPOST = 0.24;
+
 const UPRIGHT: Footing = { shift: { x: 0, y: 0 }, slide: 0 };
 
 /** The present place of the body, m. */
@@ -116,8 +121,8 @@ export class Picture {
   private limits: readonly Limit[] = [];
   /** Length of a pixel at distance 1, in units of the stage. */
   private pixel = 0;
-  private width = 0;
-  private height = 0;
+  width = 0;
+  height = 0;
   /** What was drawn last, to detect changes. */
   private bodyKey = "";
   private followed: Motion | undefined;
@@ -272,7 +277,7 @@ export class Picture {
     this.stage.render();
     this.outline.project(this.hull.matrixWorld, camera, this.width, this.height);
     const hides = this.isSeeThrough ? undefined : this.outline;
-    this.labels.arrange(camera, this.width, this.height, hides);
+    this.labels.arrange(camera, this, this.closeup?.unrolled.taken ?? 0, hides);
     if (gliding) this.changed();
     if (lab.clock.playing.peek() && this.frameRate.isSlow(now) && this.stage.coarsen())
       this.resize();
@@ -428,7 +433,10 @@ export class Picture {
   private followBody({ pose, contact }: Placement): void {
     const { reach } = this;
     this.view.follow(pose.x / reach, pose.y / reach);
-    this.view.aim(contact.x / reach, contact.y / reach);
+    this.view.aim(
+      { x: contact.x / reach, y: contact.y / reach },
+      { x: pose.x / reach, y: pose.y / reach },
+    );
     this.stage.follow(this.view.focus.x, this.view.focus.y);
     this.table.follow(this.view.focus.x, this.view.focus.y);
   }
@@ -485,18 +493,16 @@ export class Picture {
     const sense = Math.sign(progress.turn?.angle ?? progress.angle) || 1;
     this.wedge.show(x, y, zero, progress.angle);
     this.protractor.lay(x, y, zero, sense > 0, palette);
-    const label = (index: number, text: string, angle: number, far: number) => {
+    const label = (index: number, text: string, angle: number, far: number, high = 0) => {
       const [wx, wy] = [x + far * Math.cos(zero + angle), y + far * Math.sin(zero + angle)];
-      labels.set(index, text, wx, wy);
+      labels.set(index, text, wx, wy, high);
       labels.dim(index, this.hidden(wx, wy));
     };
     const ranRound = words.scene.ranRound(formatDegrees(Math.abs(progress.angle), 1));
-    label(
-      labelIds.turned,
-      comparing ? words.compare.label("A", ranRound) : ranRound,
-      progress.angle / 2,
-      1.13,
-    );
+    // Before the contact point runs, the visitor who guesses need not know that there is one.
+    const early = guess !== undefined && Math.abs(progress.angle) < RUNS;
+    const turned = comparing ? words.compare.label("A", ranRound) : ranRound;
+    label(labelIds.turned, early ? "" : turned, progress.angle / 2, 1.13);
     // Before a guess is answered, one label is enough.
     if (guess === undefined) this.labelBody(progress);
     else labels.set(labelIds.itself, "", 0, 0);
@@ -514,8 +520,9 @@ export class Picture {
     limit(labelIds.other, second);
     this.wedge.showLimits(theory);
     if (guess === undefined) return labels.set(labelIds.guess, "", 0, 0);
-    this.guess.show(x, y, zero + sense * guess, palette.wedge);
-    label(labelIds.guess, words.scene.guess(formatDegrees(guess, 0)), sense * guess, 1.2);
+    this.guess.show(x, y, zero + sense * guess, palette.ink);
+    // The label is above the line, as on a signpost.
+    label(labelIds.guess, words.scene.guess(formatDegrees(guess, 0)), sense * guess, 1.2, SIGNPOST);
   }
 
   /** Shows the rotation of the body itself, at the mark on it. */

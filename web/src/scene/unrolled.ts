@@ -69,16 +69,27 @@ function interpolated(t: Float64Array, values: Float64Array, time: number): numb
   return values[low]! + part * (values[high]! - values[low]!);
 }
 
+/** Distance from the bottom of the picture and from the labels above, px. */
+const BELOW = 14;
+
 export class Unrolled {
   readonly element = element("div", { class: "table-unrolled", role: "img" });
   private readonly strips = { table: strip("table"), rim: strip("rim") };
   private readonly slipped = element("span", { class: "slipped" });
+  /** Its height, px, measured when it changes, because that costs a layout. */
+  private height = 0;
   private path: Path | undefined;
   private followed: Motion | undefined;
 
   constructor(private readonly lab: Lab) {
     const { table, rim } = this.strips;
     this.element.append(element("p", {}, words.scene.unrolled, this.slipped), table.row, rim.row);
+    new ResizeObserver(() => (this.height = this.element.offsetHeight)).observe(this.element);
+  }
+
+  /** Height of the strip at the bottom of the picture that it takes, px. */
+  get taken(): number {
+    return this.height > 0 ? this.height + BELOW : 0;
   }
 
   show(progress: TurnProgress | undefined, radius: number): void {

@@ -13,14 +13,26 @@ const USUAL = { azimuth: -1.36, elevation: 0.5 };
 /** Duration of a camera movement, s. */
 const GLIDE = 0.45;
 
-/** At this distance or nearer, the camera looks at the contact point. */
+/** At this distance or nearer, the camera looks at the base. */
 const NEAR = 0.5;
+/** Nearer than the first, the camera begins to look at the contact point, and does so from the second; 1 is the
+ * distance from which the rim fills the picture. From further away the rim is in sight, and the camera stays still, so
+ * that one sees the contact point run round. */
+const CLOSE = [1.1, 0.6] as const;
 
 /** How far a body moves before the camera follows it, in radii of the circle of degrees. */
 const ROAM = 0.9;
 
-/** Smooth step from 0 to 1. */
-const smooth = (part: number) => part * part * (3 - 2 * part);
+/** Smooth step from 0 at the first place to 1 at the second. */
+function smooth(from: number, to: number, place: number): number {
+  const part = Math.min(Math.max((place - from) / (to - from), 0), 1);
+  return part * part * (3 - 2 * part);
+}
+
+interface Spot {
+  x: number;
+  y: number;
+}
 
 interface Eye {
   azimuth: number;
@@ -29,11 +41,9 @@ interface Eye {
   distance: number;
   /** 0 looks at the middle of the body, 1 at the height of the table. */
   low: number;
-  /** 0 looks at the middle of the picture, 1 at the contact point. */
-  follow: number;
 }
 
-const WHOLE: Readonly<Eye> = { ...USUAL, distance: 1, low: 0, follow: 0 };
+const WHOLE: Readonly<Eye> = { ...USUAL, distance: 1, low: 0 };
 
 export class View {
   private eye: Eye = WHOLE;
@@ -50,9 +60,9 @@ export class View {
   readonly focus = { x: 0, y: 0 };
   /** Where a second body stands beside the first, which is in view too. */
   beside = { x: 0, y: 0 };
-  /** The contact point, and the one at which the camera was aimed last. */
-  private contact = { x: 0, y: 0 };
-  private aimed = this.contact;
+  /** The contact point and the middle of the base, now and when the camera was aimed last. */
+  private body: { contact: Spot; base: Spot } = { contact: { x: 0, y: 0 }, base: { x: 0, y: 0 } };
+  private aimed = this.body;
 
   constructor(private readonly camera: PerspectiveCamera) {}
 
@@ -80,10 +90,10 @@ export class View {
     this.focus.y = part * y + this.beside.y / 2;
   }
 
-  /** Sets the contact point, at which the camera looks from nearby. */
-  aim(x: number, y: number): void {
-    this.contact = { x, y };
-    if (!prefersReducedMotion()) this.aimed = this.contact;
+  /** Sets the contact point and the middle of the base, at which the camera looks from nearby. */
+  aim(contact: Spot, base: Spot): void {
+    this.body = { contact, base };
+    if (!prefersReducedMotion()) this.aimed = this.body;
   }
 
   turn(azimuth: number, elevation: number): void {
@@ -98,44 +108,48 @@ export class View {
   }
 
   zoom(factor: number): void {
-    this.aimed = this.contact;
+    this.aimed = this.body;
     this.go({ ...this.eye, distance: this.eye.distance * factor });
   }
 
   /** Moves to a place. */
   show(name: ViewName): void {
     this.chosen = name;
-    this.aimed = this.contact;
+    this.aimed = this.body;
     this.glide(this.eyeAt(name));
   }
 
   /** Is at a place at once. */
   cut(name: ViewName): void {
     this.chosen = name;
-    this.aimed = this.contact;
+    this.aimed = this.body;
     this.go(this.eyeAt(name));
   }
 
+  /** The distance from which the rim fills the picture. */
+  private get rimDistance(): number {
+    return this.rim / this.radius;
+  }
+
   private eyeAt(name: ViewName): Eye {
-    // From here the rim fills the picture.
-    const near = this.rim / this.radius;
+    const near = this.rimDistance;
     switch (name) {
       case "whole":
         return WHOLE;
       case "above":
         return { ...WHOLE, azimuth: -Math.PI / 2, elevation: HIGHEST };
       case "contact":
-        return { ...USUAL, elevation: 0.32, distance: 1.15 * near, low: 1, follow: 1 };
+        return { ...USUAL, elevation: 0.32, distance: 1.15 * near, low: 1 };
       case "below":
-        return { ...USUAL, elevation: -0.6, distance: 1.7 * near, low: 1, follow: 0 };
+        return { ...USUAL, elevation: -0.6, distance: 1.7 * near, low: 1 };
     }
   }
 
   /** Moves the camera; returns whether the movement is still under way. */
   update(now: number): boolean {
     if (this.movement) {
-      const part = Math.min((now - this.movement.started) / 1000 / GLIDE, 1);
-      const eased = smooth(part);
+      const part = (now - this.movement.started) / 1000 / GLIDE;
+      const eased = smooth(0, 1, part);
       const { from, to } = this.movement;
       const between = (key: keyof Eye) => from[key] + eased * (to[key] - from[key]);
       this.eye = {
@@ -143,9 +157,8 @@ export class View {
         elevation: between("elevation"),
         distance: between("distance"),
         low: between("low"),
-        follow: between("follow"),
       };
-      if (part === 1) this.movement = undefined;
+      if (part >= 1) this.movement = undefined;
     }
     this.place();
     return this.movement !== undefined;
@@ -155,11 +168,10 @@ export class View {
     const { camera, eye, height } = this;
     const half = (camera.fov * Math.PI) / 360;
     const across = Math.atan(Math.tan(half) * camera.aspect);
-    // From afar the camera looks at the middle of the body, from nearby at the contact point.
-    const part = smooth(Math.min(Math.max((1 - eye.distance) / (1 - NEAR), 0), 1));
-    const follow = Math.max(part, eye.follow);
-    // From nearby it looks at the first body alone.
-    const alone = Math.max(part, eye.low);
+    // From afar the camera looks at the middle of the body or of both bodies, from nearby at the base of the first, and
+    // from very near at the contact point.
+    const alone = Math.max(smooth(1, NEAR, eye.distance), eye.low);
+    const close = smooth(...CLOSE, eye.distance / this.rimDistance);
     const wide = ((1 - alone) * Math.hypot(this.beside.x, this.beside.y)) / 2;
     const distance =
       Math.max(
@@ -171,9 +183,11 @@ export class View {
       x: this.focus.x - (alone * this.beside.x) / 2,
       y: this.focus.y - (alone * this.beside.y) / 2,
     };
-    const x = middle.x + follow * (this.aimed.x - middle.x);
-    const y = middle.y + follow * (this.aimed.y - middle.y);
-    const z = (1 - Math.max(part, eye.low)) * height * Math.cos(eye.elevation);
+    const { contact, base } = this.aimed;
+    const between = (from: number, to: number, part: number) => from + part * (to - from);
+    const x = between(middle.x, between(base.x, contact.x, close), alone);
+    const y = between(middle.y, between(base.y, contact.y, close), alone);
+    const z = (1 - alone) * height * Math.cos(eye.elevation);
     camera.position.set(
       x + flat * Math.cos(eye.azimuth),
       y + flat * Math.sin(eye.azimuth),

@@ -61,6 +61,32 @@ describe("from nearby", () => {
   });
 });
 
+test("at the end of a turn its angle is above the strips", async () => {
+  const { page } = await visit({ ...PHONE, hash: "slap-or-roll", reducedMotion: "reduce" });
+  await unrolled(page).waitFor();
+  await page.locator("#slap-or-roll-control").fill("1000");
+  const turned = page.locator(".word.turned").filter({ hasText: "ran round 203.9°" });
+  await turned.waitFor();
+  await expect
+    .poll(async () => {
+      const [label, strips] = [await turned.boundingBox(), await unrolled(page).boundingBox()];
+      return label!.y + label!.height - strips!.y;
+    })
+    .toBeLessThan(0);
+});
+
+test("the name of the pressed button can be read under the pointer", async () => {
+  const { page } = await visit({ viewport: { width: 1366, height: 768 }, webgl: true });
+  const button = page.getByRole("button", { name: "Contact", exact: true });
+  await button.click();
+  const [ink, ground] = await button.evaluate((it) => {
+    const { color, backgroundColor } = getComputedStyle(it);
+    return [it.matches(":hover") && color, backgroundColor];
+  });
+  expect(ink).toBeTruthy();
+  expect(ink).not.toBe(ground);
+});
+
 test("the table can be seen from below, and the keys lead there too", async () => {
   const { page, complaints } = await visit({ ...PHONE, reducedMotion: "reduce" });
   await page.getByRole("button", { name: "From below" }).click();

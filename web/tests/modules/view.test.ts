@@ -14,7 +14,7 @@ function viewOf(aspect: number, still = false) {
   view.frame(1.33, 0.5);
   const contactAt = (angle: number) => {
     const spot = new Vector3(0.5 * Math.cos(angle), 0.5 * Math.sin(angle), 0);
-    view.aim(spot.x, spot.y);
+    view.aim(spot, { x: 0, y: 0 });
     return spot;
   };
   /** How far from the middle of the picture a spot is: 1 is its edge. */
@@ -73,4 +73,31 @@ test("with reduced motion the camera moves only when the visitor zooms", () => {
   expect(aside(second)).toBeGreaterThan(0.5);
   view.zoom(0.9);
   expect(aside(second)).toBeLessThan(0.1);
+});
+
+describe("where the rim fills the picture", () => {
+  test.each(["contact", "below"] as const)(
+    "%s: the camera stays still, and the contact point is seen to run round",
+    (place) => {
+      for (const aspect of [360 / 340, 900 / 430]) {
+        const { view, contactAt, aside } = viewOf(aspect);
+        const fixed = contactAt(0).multiplyScalar(0.4);
+        view.cut(place);
+        const before = aside(fixed);
+        for (let angle = 0; angle < 6.3; angle += 0.3) {
+          expect(aside(contactAt(angle))).toBeLessThan(0.9);
+          expect(aside(fixed)).toBe(before);
+        }
+        // The point runs far over the picture.
+        expect(aside(contactAt(0.2))).toBeGreaterThan(place === "contact" ? 0.4 : 0.25);
+      }
+    },
+  );
+
+  test("the camera goes along with a body that rolls away", () => {
+    const { view, aside } = viewOf(2);
+    view.cut("contact");
+    view.aim({ x: 4.5, y: 3 }, { x: 4, y: 3 });
+    expect(aside(new Vector3(4, 3, 0))).toBeLessThan(0.01);
+  });
 });
