@@ -1,6 +1,6 @@
 // A motion to be computed: at once, or in a worker while the page answers its visitor.
 
-import { Exchange } from "./exchange";
+import { Exchange, nextTask } from "./exchange";
 import { Motion } from "./motion";
 import type { Answer, Question } from "./worker";
 
@@ -48,8 +48,8 @@ export class Computation {
     if (!answer) throw new Error("the worker could not compute the motion");
     const exchange = await Exchange.of(module, answer.memory);
     const motion = new Motion(exchange, answer.address, answer.known);
-    // To copy the memory takes as long as a task may; those who wait for the motion go on in the next one.
-    await new Promise((next) => setTimeout(next));
+    // Those who wait for the motion go on in the next task.
+    await nextTask();
     return motion;
   }
 }

@@ -37,6 +37,9 @@ export type Row<N extends number, A extends number[] = []> = A["length"] extends
   ? A
   : Row<N, [...A, number]>;
 
+/** Lets the page answer its visitor. */
+export const nextTask = (): Promise<void> => new Promise((next) => setTimeout(next));
+
 /** Thrown when the core refuses to compute; the message tells the visitor the reason. */
 export class Refused extends Error {
   override name = "Refused";
@@ -44,6 +47,9 @@ export class Refused extends Error {
 
 /** The unit of the core's memory, bytes. */
 const PAGE = 65_536;
+
+/** So many bytes are copied in one task, which takes some ms. */
+const PIECE = 8_000_000;
 
 export class Exchange {
   private readonly decoder = new TextDecoder();
@@ -70,7 +76,7 @@ export class Exchange {
       throw new Error("the file of the mechanics does not belong to this page");
     if (memory) {
       core.memory.grow((memory.byteLength - core.memory.buffer.byteLength) / PAGE);
-      new Uint8Array(core.memory.buffer).set(new Uint8Array(memory));
+      await copyInPieces(new Uint8Array(memory), new Uint8Array(core.memory.buffer));
     }
     return new Exchange(module, core);
   }
@@ -103,6 +109,13 @@ export class Exchange {
   checked(returned: number): number {
     if (!returned) throw new Refused(this.text());
     return returned;
+  }
+}
+
+async function copyInPieces(from: Uint8Array, to: Uint8Array): Promise<void> {
+  for (let start = 0; start < from.length; start += PIECE) {
+    to.set(from.subarray(start, start + PIECE), start);
+    await nextTask();
   }
 }
 

@@ -31,21 +31,28 @@ export function bodyRates(moments: Moments): Rates {
 const computed = new WeakMap<Moments, Rates>();
 
 function ratesOf(moments: Moments): Rates {
+  const [x, y] = [new Float64Array(moments.length), new Float64Array(moments.length)];
+  const ratesAt = bodyRatesIn(moments);
+  for (let k = 0; k < moments.length; k++) {
+    const rates = ratesAt(k);
+    x[k] = rates.x;
+    y[k] = rates.y;
+  }
+  return { x, y, z: moments.column("axial_spin").slice() };
+}
+
+/** Gives the rates at each of many moments by its index. */
+export function bodyRatesIn(moments: Moments): (index: number) => ReturnType<typeof bodyRatesAt> {
   const [tilt, spin, axial] = (["tilt", "spin", "axial_spin"] as const).map((name) =>
     moments.column(name),
   ) as [Float64Array, Float64Array, Float64Array];
   const [tiltRate, yawRate] = [moments.column("tilt_rate"), moments.column("yaw_rate")];
-  const [x, y] = [new Float64Array(moments.length), new Float64Array(moments.length)];
-  for (let k = 0; k < moments.length; k++) {
-    const rates = bodyRatesAt({
+  return (k) =>
+    bodyRatesAt({
       tilt: tilt[k]!,
       tilt_rate: tiltRate[k]!,
       yaw_rate: yawRate[k]!,
       spin: spin[k]!,
       axial_spin: axial[k]!,
     });
-    x[k] = rates.x;
-    y[k] = rates.y;
-  }
-  return { x, y, z: axial.slice() };
 }

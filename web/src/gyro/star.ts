@@ -3,7 +3,7 @@
 
 import type { Moments, Motion } from "../core/motion";
 import { countBelow } from "../rising";
-import { bodyRatesAt } from "./rates";
+import { bodyRatesIn } from "./rates";
 
 /** Half the size of the picture. */
 export const SIZE = 100;
@@ -23,10 +23,10 @@ export class Star {
     const moments = motion.curve();
     this.largest = roundUp(largestOf(moments));
     const every = Math.max(1, Math.ceil(moments.length / MOST_POINTS));
+    const [times, rates] = [moments.column("t"), bodyRatesIn(moments)];
     for (let k = 0; k < moments.length; k += every) {
-      const moment = moments.moment(k);
-      const { x, y } = bodyRatesAt(moment);
-      this.times.push(moment.t);
+      const { x, y } = rates(k);
+      this.times.push(times[k]!);
       this.points.push(
         this.place(x, y)
           .map((at) => at.toFixed(1))

@@ -31,7 +31,7 @@ export function onceIdle(read: () => unknown, act: () => void): void {
 }
 
 /** Time after which the next item waits for what the visitor does, ms. */
-const SLICE = 20;
+const SLICE = 8;
 
 /** Gives a function that acts on one item after another, in slices of time. A new call replaces what is left of the last. */
 export function inTurn<T>(act: (item: T) => void): (items: readonly T[]) => void {
