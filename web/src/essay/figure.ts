@@ -16,6 +16,7 @@ import { INITIAL, type Setup } from "../setup/setup";
 import { toHash } from "../setup/url";
 import { binsFor } from "../story/bins";
 import { frameField } from "../share/frame_code";
+import { telephoneButton } from "../scene/telephone";
 import { soundButton } from "../sound/button";
 import { HEIGHT, WIDTH, humps } from "../story/humps";
 import { passageFrom } from "../verdict/passage";
@@ -203,7 +204,12 @@ export class Figure {
     if (this.control) return this.control.root;
     if (kind === "guess") return this.guessElement();
     if (kind === "time") return this.timeElement();
-    return element("p", { class: "hint" }, words.essay.grasp);
+    return element(
+      "div",
+      {},
+      element("p", { class: "hint" }, words.essay.grasp),
+      telephoneButton(this.lab, this.active),
+    );
   }
 
   private guessElement(): HTMLElement {

@@ -385,6 +385,8 @@ export const de: Table = {
     inLab: "Das im Labor öffnen",
     grasp:
       "Fasse die Dose oben an, kippe sie und lass los. Mit dem Finger halte sie zuerst einen Moment.",
+    askTelephone: "Mit dem Telefon kippen",
+    holdTelephone: "Hier halten, Telefon kippen, loslassen",
     theCan: "Die Dose, die du kippen kannst",
     theBody: "Der Körper auf dem Tisch",
     noPicture:

@@ -393,6 +393,8 @@ export const en = {
     closer: "How can that be? Look closer",
     inLab: "Open this in the lab",
     grasp: "Grab the top of the can, tip it and let go. With a finger, first hold it for a moment.",
+    askTelephone: "Use the tilt of this phone",
+    holdTelephone: "Hold this, tip the phone, let go",
     theCan: "The can, which you can tip",
     theBody: "The body on the table",
     noPicture:

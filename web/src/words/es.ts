@@ -381,6 +381,8 @@ export const es: Table = {
     closer: "¿Cómo puede ser? Mira más de cerca",
     inLab: "Abrir esto en el laboratorio",
     grasp: "Toma la lata por arriba, inclínala y suéltala. Con un dedo, sujétala antes un momento.",
+    askTelephone: "Usar la inclinación del teléfono",
+    holdTelephone: "Mantén pulsado, inclina el teléfono y suelta",
     theCan: "La lata, que puedes inclinar",
     theBody: "El cuerpo sobre la mesa",
     noPicture:

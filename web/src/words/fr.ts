@@ -381,6 +381,8 @@ export const fr: Table = {
     inLab: "Ouvrir ceci dans le labo",
     grasp:
       "Prenez la canette par le haut, inclinez-la et lâchez. Avec un doigt, tenez-la d’abord un instant.",
+    askTelephone: "Utiliser l’inclinaison du téléphone",
+    holdTelephone: "Maintenez, inclinez le téléphone, relâchez",
     theCan: "La canette, que vous pouvez incliner",
     theBody: "Le corps sur la table",
     noPicture:

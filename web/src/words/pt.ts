@@ -381,6 +381,8 @@ export const pt: Table = {
     closer: "Como pode ser? Veja mais de perto",
     inLab: "Abrir isto no laboratório",
     grasp: "Pegue a lata por cima, incline-a e solte. Com um dedo, segure-a antes por um momento.",
+    askTelephone: "Usar a inclinação do celular",
+    holdTelephone: "Segure aqui, incline o celular e solte",
     theCan: "A lata, que você pode inclinar",
     theBody: "O corpo sobre a mesa",
     noPicture:

@@ -29,24 +29,24 @@ export const UNLOADED: Record<Language, UnloadedWords> = {
     slow: "This page is taking long to load. Wait, reload it, or run `rimroll lab` on your own machine.",
   },
   de: {
-    file: "Diese Seite wurde als Datei geöffnet, deshalb lässt der Browser sie ihre Teile nicht laden. Starten Sie `rimroll lab`, oder stellen Sie den Ordner der Seite über einen Webserver bereit: Starten Sie in diesem Ordner `python -m http.server` und öffnen Sie `http://localhost:8000`.",
+    file: "Diese Seite wurde als Datei geöffnet, deshalb lässt der Browser sie ihre Teile nicht laden. Starte `rimroll lab`, oder stelle den Ordner der Seite über einen Webserver bereit: Starte in diesem Ordner `python -m http.server` und öffne `http://localhost:8000`.",
     sandbox:
-      "Diese Seite steht in einem abgeschotteten Rahmen und kann ihre Teile nicht laden. Öffnen Sie `{0}` in einem eigenen Tab, oder ergänzen Sie `allow-same-origin` im Attribut sandbox des Rahmens.",
+      "Diese Seite steht in einem abgeschotteten Rahmen und kann ihre Teile nicht laden. Öffne `{0}` in einem eigenen Tab, oder ergänze `allow-same-origin` im Attribut sandbox des Rahmens.",
     failed:
-      "Diese Seite konnte nicht geladen werden: {0}. Laden Sie sie neu, in einem Browser von 2023 oder später. Ohne Netz starten Sie `rimroll lab`, das die Seite auf Ihrem eigenen Rechner bereitstellt.",
+      "Diese Seite konnte nicht geladen werden: {0}. Lade sie neu, in einem Browser von 2023 oder später. Ohne Netz starte `rimroll lab`, das die Seite auf deinem eigenen Rechner bereitstellt.",
     missing: "ihr Skript fehlt",
     old: "dieser Browser ist zu alt",
-    slow: "Diese Seite lädt ungewöhnlich lange. Warten Sie, laden Sie sie neu, oder starten Sie `rimroll lab` auf Ihrem eigenen Rechner.",
+    slow: "Diese Seite lädt ungewöhnlich lange. Warte, lade sie neu, oder starte `rimroll lab` auf deinem eigenen Rechner.",
   },
   es: {
-    file: "Esta página se ha abierto como archivo, por lo que el navegador no le permite cargar sus partes. Ejecute `rimroll lab`, o sirva la carpeta de la página con un servidor web: ejecute `python -m http.server` en esa carpeta y abra `http://localhost:8000`.",
+    file: "Esta página se ha abierto como archivo, por lo que el navegador no le permite cargar sus partes. Ejecuta `rimroll lab`, o sirve la carpeta de la página con un servidor web: ejecuta `python -m http.server` en esa carpeta y abre `http://localhost:8000`.",
     sandbox:
-      "Esta página está en un marco aislado y no puede cargar sus partes. Abra `{0}` en una pestaña propia, o añada `allow-same-origin` al atributo sandbox del marco.",
+      "Esta página está en un marco aislado y no puede cargar sus partes. Abre `{0}` en una pestaña propia, o añade `allow-same-origin` al atributo sandbox del marco.",
     failed:
-      "No se ha podido cargar esta página: {0}. Vuelva a cargarla, en un navegador de 2023 o posterior. Sin conexión, ejecute `rimroll lab`, que la sirve desde su propio equipo.",
+      "No se ha podido cargar esta página: {0}. Vuelve a cargarla, en un navegador de 2023 o posterior. Sin conexión, ejecuta `rimroll lab`, que la sirve desde tu propio equipo.",
     missing: "falta su script",
     old: "este navegador es demasiado antiguo",
-    slow: "Esta página tarda mucho en cargarse. Espere, vuelva a cargarla o ejecute `rimroll lab` en su propio equipo.",
+    slow: "Esta página tarda mucho en cargarse. Espera, vuelve a cargarla o ejecuta `rimroll lab` en tu propio equipo.",
   },
   fr: {
     file: "Cette page a été ouverte comme un fichier ; le navigateur ne lui permet donc pas de charger ses parties. Lancez `rimroll lab`, ou servez le dossier de la page avec un serveur web : lancez `python -m http.server` dans ce dossier et ouvrez `http://localhost:8000`.",
@@ -73,9 +73,9 @@ export const UNLOADED: Record<Language, UnloadedWords> = {
     sandbox:
       "本页位于沙盒框架中，无法加载各个部分。请在单独的标签页中打开 `{0}`，或在框架的 sandbox 属性中加上 `allow-same-origin`。",
     failed:
-      "本页无法加载：{0}。请用 2023 年或更新的浏览器重新加载。没有网络时，请运行 `rimroll lab`，由您自己的电脑提供本页。",
+      "本页无法加载：{0}。请用 2023 年或更新的浏览器重新加载。没有网络时，请运行 `rimroll lab`，由你自己的电脑提供本页。",
     missing: "缺少脚本",
     old: "浏览器版本过旧",
-    slow: "本页加载时间过长。请稍候、重新加载，或在您自己的电脑上运行 `rimroll lab`。",
+    slow: "本页加载时间过长。请稍候、重新加载，或在你自己的电脑上运行 `rimroll lab`。",
   },
 };

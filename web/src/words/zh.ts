@@ -305,6 +305,8 @@ export const zh: Table = {
     closer: "怎么会这样？走近看看",
     inLab: "在实验室中打开",
     grasp: "抓住罐子的顶部，把它弄斜，然后松手。用手指时先按住片刻。",
+    askTelephone: "使用手机的倾斜",
+    holdTelephone: "按住此处，倾斜手机，然后松手",
     theCan: "罐子，你可以把它弄斜",
     theBody: "桌上的物体",
     noPicture: "这个浏览器无法显示图像，因为 WebGL 已关闭或不存在。文字、数字和曲线不受影响。",

@@ -76,6 +76,85 @@ describe("a finger", () => {
   });
 });
 
+describe("the telephone as the hand", () => {
+  const turn = (page: Page, beta: number | null, gamma: number | null) =>
+    page.evaluate(
+      (angles) => {
+        dispatchEvent(new DeviceOrientationEvent("deviceorientation", angles));
+      },
+      { alpha: 0, beta, gamma },
+    );
+  const hold = (page: Page) =>
+    page.getByRole("button", { name: "Hold this, tip the phone, let go" });
+  const ask = (page: Page) => page.getByRole("button", { name: "Use the tilt of this phone" });
+  /** The set-up of the scene, in the link to the lab. */
+  const setup = async (page: Page) => {
+    const link = page.locator("#your-turn .in-lab");
+    return new URLSearchParams((await link.getAttribute("href"))!.slice(1));
+  };
+  /** Waits until the scene is alive. */
+  const shown = (page: Page) =>
+    page.locator("#your-turn .table-stage").waitFor({ state: "attached" });
+
+  test("the button appears where there is a sensor", async () => {
+    const { page } = await visit({ ...PHONE, hash: "your-turn" });
+    await shown(page);
+    await turn(page, null, null);
+    expect(await hold(page).count()).toBe(0);
+    await turn(page, 40, 0);
+    await hold(page).waitFor();
+    expect(await ask(page).count()).toBe(0);
+  });
+
+  test("the can tips as the telephone does, and is let go with the button", async () => {
+    const { page, complaints } = await visit({ ...PHONE, hash: "your-turn" });
+    await shown(page);
+    await turn(page, 40, 0);
+    await hold(page).scrollIntoViewIfNeeded();
+    // The can leans to the left at the release.
+    await page.getByRole("button", { name: "Let go" }).last().click();
+    await page.waitForTimeout(300);
+    const { x, y, width, height } = (await hold(page).boundingBox())!;
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await turn(page, 40, 0);
+    const before = await setup(page);
+    expect(before.get("tilt")).toBe(null); // 20°, the initial value
+    // The upper edge goes down from 40° to 0°: the telephone tips away from the reader.
+    for (let beta = 36; beta >= 0; beta -= 4) await turn(page, beta, 0);
+    await page.waitForTimeout(300); // a hand at rest
+    await page.mouse.up();
+    await expect.poll(async () => (await setup(page)).get("yaw")).not.toBe(null);
+    const [tilt, yaw] = ["tilt", "yaw"].map(async (name) => Number((await setup(page)).get(name)));
+    expect(await tilt).toBeGreaterThan(15);
+    // It leans opposite to its yaw. Away from a reader at the azimuth −90° is 90°.
+    expect(Math.abs((await yaw)! + 90)).toBeLessThan(45);
+    expect((await setup(page)).get("tilt_rate")).toBe(null);
+    expect(complaints).toEqual([]);
+  });
+
+  test("where the browser must ask first, a button does, and goes away if the visitor refuses", async () => {
+    const { page } = await visit({ ...PHONE, hash: "question" });
+    await page.addInitScript(() => {
+      const requestPermission = async () => "denied";
+      Object.assign(DeviceOrientationEvent, { requestPermission });
+    });
+    await page.goto(page.url().replace("question", "your-turn"));
+    await page.reload();
+    await shown(page);
+    expect(await hold(page).count()).toBe(0);
+    await ask(page).click();
+    await ask(page).waitFor({ state: "detached" });
+  });
+
+  test("there is no button on a computer without a sensor", async () => {
+    const { page } = await visit({ hash: "your-turn" });
+    await shown(page);
+    await turn(page, null, null);
+    expect(await page.locator(".telephone button").count()).toBe(0);
+  });
+});
+
 test("a slider's moves are undone together, and earlier changes one by one", async () => {
   const { page } = await visit();
   const [tilt, body] = [page.locator("#tilt-slider"), page.locator("#body-field")];
