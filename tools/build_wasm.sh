@@ -31,6 +31,9 @@ has_target() {
 
 source=${RIMROLL_WASM:-any}
 if [ "$source" != debian ] && has_target; then
+    # Debian's Rust brings no linker for it; Debian's lld does.
+    ls "$(rustc --print sysroot)"/lib/rustlib/*/bin/rust-lld >/dev/null 2>&1 ||
+        export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld
     build
 elif [ "$source" != rustup ] && command -v apt-get >/dev/null && command -v dpkg >/dev/null; then
     rust=$(tools/debian_rust.sh)

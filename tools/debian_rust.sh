@@ -12,7 +12,7 @@ if [ ! -e "$folder/complete" ]; then
     library=$(needs libstd-rust-web-dev libstd-rust-web-)
     llvm=$(needs "$library" libllvm)
     if [ -z "$library" ] || [ -z "$llvm" ]; then
-        echo "rimroll: apt knows no rustc-web here" >&2
+        echo "rimroll: Rust cannot compile to WebAssembly here; for Debian's own Rust: apt install libstd-rust-dev-wasm32 lld" >&2
         exit 1
     fi
 
