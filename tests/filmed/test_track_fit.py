@@ -16,7 +16,11 @@ def fall(friction, duration=0.9):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("friction", "beside"), [(0.08, 0.0), (0.15, 0.0), (0.3, 0.0), (0.15, 0.02)]
+    ("friction", "beside"),
+    [
+        (0.15, 0.02),
+        *(pytest.param(friction, 0.0, marks=pytest.mark.soak) for friction in (0.08, 0.15, 0.3)),
+    ],
 )
 def test_the_path_of_a_marker_gives_the_friction(friction, beside):
     marker = (beside * np.cos(0.7), beside * np.sin(0.7), 0.12)
@@ -31,7 +35,7 @@ def test_the_path_of_a_marker_gives_the_friction(friction, beside):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["lean", "tilt"])
+@pytest.mark.parametrize("kind", ["lean", pytest.param("tilt", marks=pytest.mark.soak)])
 def test_angles_give_the_friction(kind):
     t, angles = leaning(fall(0.15))
     track = rr.filmed.Track(t, angles[:, : 2 if kind == "lean" else 1], kind)
