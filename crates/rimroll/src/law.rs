@@ -282,7 +282,7 @@ pub trait Dynamics<T: Real> {
     }
 }
 
-/// What follows from the equations of any law. It is no part of [`Dynamics`], so that it is not compiled again for each
+/// What follows from the equations of any law. It is separate from [`Dynamics`], so that it is not compiled again for each
 /// law that is called through `dyn Dynamics`.
 pub trait DynamicsExt<T: Real>: Dynamics<T> {
     /// Rates of all coordinates with respect to τ.

@@ -35,8 +35,8 @@ AXES = ("x", "y", "z")
 LOOSE = 1.2
 """What is left of the momentum, over its noise, from which on a sensor may be loose."""
 OTHER_FILTER = 3.0
-"""What errors are multiplied by if a filter was taken out: simulated records that went through
-filters of first order or moving averages then have the veer within two of them."""
+"""What errors are multiplied by if a filter was taken out, because the sensor's filter may be of
+another kind."""
 CLEARER = 2.0
 """How many times worse every other axis of the sensor must suit than the one that is taken."""
 
@@ -201,7 +201,7 @@ def analyze(
     if not collisions:
         raise RimrollError(
             f"{record.name}: the body falls, but never upright through a near-collision that can"
-            " be read: " + " ".join(notes[len(record.notes) :])
+            " be read: " + " ".join(one for one in notes if one not in record.notes)
         )
     if needed_friction(body) == 0.0:
         notes.append("A body without height turns alike at every friction, so none follows.")

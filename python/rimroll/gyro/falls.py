@@ -25,9 +25,10 @@ NEAR = 0.03
 LOSS = 0.04
 """The part of the rate by which it must fall in a collision before this is taken for a loss."""
 HELD = 0.15
-"""The rate of a body that a hand holds, at most, rad/s, beside the noise."""
+"""The largest rate of a body that a hand holds, rad/s, apart from the noise."""
 LONGER = 1.5
-"""How much longer it must be so slow than where a free body's tilt is largest."""
+"""A hand holds the body if it is this slow for this many times as long as a free body is near its
+largest tilt."""
 MOVING = 0.2
 """The rate at the end of a record, over its last peak, from which on the body still moves there."""
 GUARD = 2

@@ -31,7 +31,7 @@ MIN_SAMPLES = 9
 """Samples that the fit of a jump must have."""
 ROUGHEST = 0.03
 """The largest residual over the jump with which a fit is believed."""
-MOST_PEAKS = 4
+MAX_PEAKS = 4
 """The largest peaks that are fitted."""
 TIMING = 1e-4
 """Standard deviation of the time at which a sample is taken, s."""
@@ -57,12 +57,12 @@ class Filter:
         return np.asarray(weights / weights.sum())
 
     def noise(self, resolution: float, step: float) -> float:
-        """What undoing the filter makes of the rounding to a resolution, a standard deviation."""
+        """Standard deviation that rounding to a resolution has after undoing."""
         gain = float(np.linalg.norm(self.weights(step)))
         return gain * resolution / math.sqrt(12.0)
 
     def left(self, step: float) -> float:
-        """What undoing leaves of a jump that has just begun, over its size.
+        """The part of a jump that remains just after the filter is undone.
 
         It decays with the filter: what samples lack that are not taken at their time, and what is
         due to the error of the decay time itself.
@@ -71,7 +71,7 @@ class Filter:
         return gain * TIMING / self.decay + MISTAKEN
 
     def undone(self, t: Array, rates: Array) -> tuple[Array, Array]:
-        """Times (n − 2,) and rates (n − 2, 3) before the filter, but for its mean delay."""
+        """Times (n − 2,) and rates (n − 2, 3) before the filter, except for its mean delay."""
         step = float(np.median(np.diff(t)))
         weights = self.weights(step)
         later = -step * (weights[1] + 2.0 * weights[2])
@@ -83,7 +83,7 @@ class Filter:
 class _Jump:
     """The decay time of a smeared jump, s, and the residual of its fit over the jump.
 
-    ``is_whole``: whether the samples that were fitted are not cut short by the next collision.
+    ``is_whole``: whether the samples that were fitted reach the full span on both sides.
     """
 
     decay: float
@@ -94,15 +94,15 @@ class _Jump:
 def filter_of(t: Array, rates: Array, noise: float, least: float = STRONG) -> Filter | None:
     """The strong filter that rates (n, 3) went through; None if their jumps show none.
 
-    ``least``: the smallest decay time of a filter that is told, in steps of the record.
+    ``least``: the smallest decay time of a filter that is reported, in steps of the record.
 
     A passage that is not near upright turns slowly and looks filtered, too, so the sharpest of the
-    largest jumps tells.
+    largest jumps decides.
     """
     step = float(np.median(np.diff(t)))
     sizes = np.linalg.norm(rates, axis=1)
     peaks, lows = peaks_of(sizes, noise, math.ceil(DIP / step))
-    largest = sorted(range(len(peaks)), key=lambda k: -float(sizes[peaks[k]]))[:MOST_PEAKS]
+    largest = sorted(range(len(peaks)), key=lambda k: -float(sizes[peaks[k]]))[:MAX_PEAKS]
     jumps = [_jump_at(t, rates, peaks[k], (lows[k], lows[k + 1])) for k in largest]
     good = [one for one in jumps if one is not None and one.residual < ROUGHEST]
     whole = [one for one in good if one.is_whole]

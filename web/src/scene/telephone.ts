@@ -76,6 +76,7 @@ function holdButton(lab: Lab): HTMLButtonElement {
   const hands = new Hands(lab);
   const made = element("button", { type: "button" }, words.essay.holdTelephone);
   let before: Lean | undefined;
+  let finger: number | undefined;
   const move = (event: DeviceOrientationEvent) => {
     const lean = leanOf(event, screen.orientation?.angle ?? 0);
     if (!lean) return;
@@ -85,13 +86,16 @@ function holdButton(lab: Lab): HTMLButtonElement {
     hands.push(x, y);
   };
   made.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
+    if (event.button !== 0 || finger !== undefined) return;
+    finger = event.pointerId;
     made.setPointerCapture(event.pointerId);
     before = undefined;
     hands.take();
     addEventListener("deviceorientation", move);
   });
   const letGo = (event: PointerEvent) => {
+    if (event.pointerId !== finger) return;
+    finger = undefined;
     removeEventListener("deviceorientation", move);
     if (event.type === "pointerup") hands.release();
     else hands.cancel();

@@ -1,6 +1,6 @@
 //! What work costs on one thread, on a busy machine.
 
-/// The time of this thread on a processor, s, which on a busy machine is less than what passes. It is read from Linux.
+/// The time of this thread on a processor, s, which on a busy machine is less than the elapsed time. It is read from Linux.
 fn seconds() -> f64 {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").expect("Linux");
     let first = text.split(' ').next().and_then(|ns| ns.parse::<f64>().ok());

@@ -80,7 +80,7 @@ impl Pose {
         }
     }
 
-    /// This pose with |Γ| set to 1, from which the errors of steps remove it.
+    /// This pose with |Γ| set to 1, from which errors of steps let it drift.
     pub fn normalised(self) -> Pose {
         let up = times(1.0 / length(self.up), self.up);
         Pose { up, ..self }

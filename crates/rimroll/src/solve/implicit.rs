@@ -192,7 +192,7 @@ impl<'a, S: System<f64, N>, D: System<Dual, N>, const N: usize> Implicit<'a, S, 
         );
         let mut error: f64 = 0.0;
         for i in 0..N {
-            // What the highest power contributes bounds what those left out do. ImplicitStep from the states:
+            // What the highest power contributes bounds what those left out do. Found from the states:
             // the rates of what relaxes fast are differences with few digits.
             let highest: f64 = (0..POINTS)
                 .map(|j| self.method.last_of_rises[j] * (states[j][i] - start[i]))
