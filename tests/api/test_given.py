@@ -130,7 +130,7 @@ CALLS = {
         lambda x: rr.watershed(CAN, START, rr.NoSlip(), x).tolist(),
     ),
     "watershed_slope tilt": ("deg", lambda x: rr.watershed_slope(CAN, x, rr.NoSlip())),
-    "Arrival slip": ("cm/s", lambda x: rr.Arrival(slip=x)),
+    "Arrival slip": ("cm/s", lambda x: rr.Arrival(slip=x).slip),
     "arrival gravity": ("cm/s^2", lambda x: rr.arrival(CAN, START, rr.NoSlip(), x)),
     "turn_limit_with_spin": ("deg/s", lambda x: rr.turn_limit_with_spin(CAN, x, x)),
     "point_mass_turn_limit": ("cm", lambda x: rr.point_mass_turn_limit(x, x, rr.NoSlip())),

@@ -231,8 +231,9 @@ def test_outside_a_notebook_the_browser_opens_it(fetched):
     assert re.fullmatch(r"http://127\.0\.0\.1:\d+/", address)
     assert html.escape(page) in lab._repr_html_()
     assert lab.open() == address
-    with pytest.raises(urllib.error.HTTPError):
+    with pytest.raises(urllib.error.HTTPError) as refused:
         urllib.request.urlopen(address + "secret.txt", timeout=10)
+    refused.value.close()
 
 
 @built
