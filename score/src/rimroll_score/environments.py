@@ -60,4 +60,6 @@ def _call(command: list[str]) -> None:
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:
         lines = (done.stderr or done.stdout).strip().splitlines() or ["no message"]
-        raise NotInstalled(lines[-1])
+        # pip shows the place of a mistake below the line that says what is wrong.
+        errors = [line for line in lines if line.startswith("ERROR")]
+        raise NotInstalled((errors or lines)[-1])

@@ -6,6 +6,7 @@ import contextlib
 import json
 import os
 import queue
+import re
 import subprocess
 import sys
 import tempfile
@@ -155,7 +156,9 @@ class Worker:
 
     def _last_words(self) -> str:
         lines = self._said.read_text("utf-8", errors="replace").strip().splitlines()
-        return f": {lines[-1].strip()}" if lines else ""
+        # Python writes notes below the line that names an exception.
+        named = [line for line in lines if re.match(r"[\w.]*(Error|Exception)\b", line)]
+        return f": {(named or lines)[-1].strip()}" if lines else ""
 
 
 def _forward(process: subprocess.Popen[str], lines: queue.Queue[str | None]) -> None:
