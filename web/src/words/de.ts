@@ -115,7 +115,10 @@ export const de: Table = {
       label: "Rückprall",
       help: "Stoßzahl, wenn der Rand nach einem Flug auf dem Tisch aufkommt.",
     },
-    gravity: { label: "Fallbeschleunigung", help: "9,81 auf der Erde, 1,62 auf dem Mond." },
+    gravity: {
+      label: "Gravitation",
+      help: "Fallbeschleunigung: 9,81 auf der Erde, 1,62 auf dem Mond.",
+    },
     duration: { label: "Dauer", help: "Die Zeit, für die die Bewegung berechnet wird." },
     floor: {
       label: "Untergrund",

@@ -426,11 +426,11 @@ export const es: Table = {
 
   story: {
     where: (step: number, of: number) => `La historia, paso ${step} de ${of}`,
-    back: "‹ Anterior",
-    backLabel: "Paso anterior",
-    show: "Muéstrame",
-    next: "Siguiente ›",
-    nextLabel: "Siguiente paso",
+    back: "‹ Atrás",
+    backLabel: "Atrás: paso anterior",
+    show: "Mostrar",
+    next: "Seguir ›",
+    nextLabel: "Seguir: paso siguiente",
     steps: {
       looks: {
         title: "Parece un balanceo",
@@ -599,7 +599,7 @@ export const es: Table = {
 
   transport: {
     group: "Reproducción",
-    shown: "Tiempo mostrado",
+    shown: "Instante mostrado",
     play: "Reproducir",
     pause: "Pausa",
     rewind: "Volver al inicio",
@@ -633,7 +633,7 @@ export const es: Table = {
 
   plots: {
     absent: "No hay movimiento que representar.",
-    hint: "Arrastra sobre una gráfica para ampliarla, haz clic para ir a un tiempo, doble clic para ver todo el movimiento. La rueda del ratón también amplía, tras un clic o con Ctrl. En una pantalla táctil un dedo va a un tiempo y dos dedos amplían.",
+    hint: "Arrastra sobre una gráfica para ampliarla, haz clic para ir a un instante, doble clic para ver todo el movimiento. La rueda del ratón también amplía, tras un clic o con Ctrl. En una pantalla táctil un dedo va a un instante y dos dedos amplían.",
     nothing: "nada que mostrar",
     range: (low: string, high: string) => `entre ${low} y ${high}`,
     summary: (title: string, stretch: string, range: string) =>
@@ -645,13 +645,13 @@ export const es: Table = {
     about: (stretch: string, origin: string) => `${stretch} respecto a ${origin}`,
     whole: "Todo el movimiento",
     close: "Esta colisión",
-    closeHelp: "Muestra la colisión más cercana al tiempo mostrado",
+    closeHelp: "Muestra la colisión más cercana al instante mostrado",
     zoom: "Zoom",
     zoomIn: "Ampliar",
     zoomOut: "Reducir",
     shown: (stretch: string) => `Mostrado: ${stretch}`,
     shaded: "Sombreado: ",
-    now: (phase: string) => `En el tiempo mostrado: ${phase}.`,
+    now: (phase: string) => `En el instante mostrado: ${phase}.`,
     plot: "Gráfica",
     phases: {
       standing: "apoyado",
@@ -765,7 +765,7 @@ export const es: Table = {
     picture: "El cuerpo sobre la mesa",
     tip: "Sujeta el cuerpo un momento y luego inclínalo.",
     reset: "Vista inicial",
-    places: { above: "Desde arriba", contact: "Contacto", below: "Desde abajo" },
+    places: { above: "Arriba", contact: "Contacto", below: "Abajo" },
     help: "Cómo usar esta imagen",
     gestures:
       "Arrastra el cuerpo para inclinarlo; con un dedo, sujétalo antes un momento. Suelta para dejarlo caer, o suelta en movimiento para impulsarlo. Arrastra la mesa para mirar desde otro lado. Para ampliar, separa dos dedos o gira la rueda del ratón tras un clic en la imagen o con Ctrl.",

@@ -426,10 +426,10 @@ export const fr: Table = {
 
   story: {
     where: (step: number, of: number) => `L’histoire, étape ${step} sur ${of}`,
-    back: "‹ Retour",
+    back: "‹ Retour",
     backLabel: "Retour à l’étape précédente",
-    show: "Montrez-moi",
-    next: "Suite ›",
+    show: "Voir",
+    next: "Suite ›",
     nextLabel: "Suite : étape suivante",
     steps: {
       looks: {
@@ -599,7 +599,7 @@ export const fr: Table = {
 
   transport: {
     group: "Lecture",
-    shown: "Temps montré",
+    shown: "Instant montré",
     play: "Lecture",
     pause: "Pause",
     rewind: "Retour au lâcher",
@@ -633,7 +633,7 @@ export const fr: Table = {
 
   plots: {
     absent: "Il n’y a pas de mouvement à tracer.",
-    hint: "Glissez sur un graphique pour l’agrandir, cliquez pour aller à un temps, double-cliquez pour tout le mouvement. La molette agrandit aussi, après un clic ou avec Ctrl. Sur un écran tactile, un doigt va à un temps et deux doigts agrandissent.",
+    hint: "Faites glisser sur un graphique pour l’agrandir, cliquez pour aller à un instant, double-cliquez pour tout le mouvement. La molette agrandit aussi, après un clic ou avec Ctrl. Sur un écran tactile, un doigt va à un instant et deux doigts agrandissent.",
     nothing: "rien à montrer",
     range: (low: string, high: string) => `entre ${low} et ${high}`,
     summary: (title: string, stretch: string, range: string) =>
@@ -645,13 +645,13 @@ export const fr: Table = {
     about: (stretch: string, origin: string) => `${stretch} autour de ${origin}`,
     whole: "Tout le mouvement",
     close: "Cette collision",
-    closeHelp: "Montre la collision la plus proche du temps montré",
+    closeHelp: "Montre la collision la plus proche de l’instant montré",
     zoom: "Zoom",
     zoomIn: "Agrandir",
     zoomOut: "Réduire",
     shown: (stretch: string) => `Montré : ${stretch}`,
     shaded: "Ombré : ",
-    now: (phase: string) => `Au temps montré : ${phase}.`,
+    now: (phase: string) => `À l’instant montré : ${phase}.`,
     plot: "Graphique",
     phases: {
       standing: "posé à plat",
@@ -686,14 +686,14 @@ export const fr: Table = {
       },
       gyroscope: {
         title: "Gyroscope dans le corps",
-        short: "Gyroscope",
+        short: "Gyro.",
         x: "x",
         y: "y",
         z: "z, l’axe",
       },
       friction: {
         title: "Rapport de frottement",
-        short: "Frottement",
+        short: "Frottem.",
         available: "disponible μ",
         used: "utilisé |T|/N",
         needed: "nécessaire pour rouler μ*",
@@ -821,7 +821,7 @@ export const fr: Table = {
     "part.limits": "Limites",
     "part.gyro": "Gyroscope",
     "to-lab": "Le labo",
-    "to-essay": "Qu’est-ce que c’est ?",
+    "to-essay": "À propos",
     "question.title": "Où remontera-t-elle ?",
     "question.text":
       "Inclinez une canette et lâchez-la. Elle se redresse, sa base rejoint presque la table, et elle remonte. Tournez la ligne vers l’endroit où vous pensez qu’elle remontera, puis lâchez.",
