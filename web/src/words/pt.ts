@@ -395,10 +395,10 @@ export const pt: Table = {
     guessedOff: (angle: string, further: boolean) =>
       `São ${angle} ${further ? "a mais" : "a menos"} que o seu palpite.`,
     cameUp: (said: string, straight: boolean, turned: string) =>
-      `Seu palpite foi ${said}${straight ? ", exatamente do outro lado" : ""}. A lata subiu em ${turned}.`,
+      `Seu palpite foi ${said}${straight ? ", bem do outro lado" : ""}. A lata subiu em ${turned}.`,
     ranRound: (angle: string, time: string, body: BodyName, itself: string, gap: string) =>
       `O ponto de contato percorreu ${angle}, a maior parte em ${time}. ${begins(theBodyItself(body))} girou ${itself}. A fresta sob a borda diminuiu para ${gap}, mas algum ponto da borda sempre tocava a mesa.`,
-    straight: (angle: string) => `${angle}, exatamente do outro lado`,
+    straight: (angle: string) => `${angle}, bem do outro lado`,
     notStraight: (angle: string, aside: string, beyond: boolean) =>
       `${angle}, ${aside} ${beyond ? "além" : "aquém"} do lado exatamente oposto`,
     sideways: "Erro lateral da mão",
