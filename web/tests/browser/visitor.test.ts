@@ -314,7 +314,7 @@ test("the lab opens with a can that is within the limits; losses and roughness c
     await expectValues(page, { "#rolling-field": "0.0001" });
     await page.getByText("More", { exact: true }).click();
     await page.getByRole("button", { name: "Rolling resistance: none, 0" }).click();
-    await limits.getByText(/^A real can loses a part in every turn/).waitFor();
+    await limits.getByText(/^A real can loses energy to sound/).waitFor();
     await page.locator("#sideways-field").fill("0.01");
     await page.locator("#sideways-field").press("Enter");
     await limits.getByText(/touch at several points for .*runs round \d+° of the 203°/).waitFor();
