@@ -1,8 +1,4 @@
-"""AT2 files as PEER and others write them, and the record of which examples/ holds three files."""
-
-import numpy as np
-
-import rimroll as rr
+"""AT2 files as PEER and others write them."""
 
 HEADERS = (
     "NPTS={npts:6d}, DT={dt} SEC",
@@ -46,21 +42,3 @@ def at2(
         header.format(npts=count, dt=step),
     )
     return "\n".join((*lines, *rows, ""))
-
-
-def example_record():
-    """The record in examples/: x points to the north, y to the west."""
-    return rr.ground.synthetic(2007, ("0.35 g", "0.3 g", "0.2 g"), step=0.02)
-
-
-def example_files():
-    """The files of that record by name; that of 090 points to the east, against y."""
-    _, samples = example_record().core.samples()
-    components = samples.T / rr.STANDARD_GRAVITY * np.array([[1.0], [-1.0], [1.0]])
-    title = "SYNTHETIC, NOT AN EARTHQUAKE: filtered noise of rr.ground.synthetic, seed 2007"
-    return {
-        f"synthetic_{name}.at2": at2(values, direction=name.upper(), title=title).replace(
-            "Somewhere-01, 1/1/2001, A Station", "rimroll, examples"
-        )
-        for name, values in zip(("000", "090", "up"), components, strict=True)
-    }

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import rimroll as rr
-from given.at2 import HEADERS, STYLES, at2, example_files, example_record
+from given.at2 import HEADERS, STYLES, at2
 from given.strategies import examples
 from rimroll.ground.names import direction_of
 
@@ -81,22 +81,13 @@ def test_a_record_is_cut_at_npts_within_its_last_line():
     np.testing.assert_allclose(found, SAMPLES * G, rtol=1e-7)
 
 
-def test_the_files_in_examples_are_those_of_the_generator():
-    for name, text in example_files().items():
-        lines = (EXAMPLES / name).read_text().splitlines()
-        assert lines[:4] == text.splitlines()[:4] and lines[0].startswith("SYNTHETIC, NOT AN")
-        made, there = (
-            samples_of(rr.ground.read(stream(content))) for content in (text, "\n".join(lines))
-        )
-        # In the digits that are written; NumPy may change its random numbers.
-        np.testing.assert_allclose(made, there, atol=2e-6)
-
-
 def test_three_files_are_a_record_with_right_handed_axes():
     files = [EXAMPLES / f"synthetic_{name}.at2" for name in ("000", "090", "up")]
     ground = rr.ground.read(*files)
     assert ground.heading == 0.0 and ground.duration == 20.0
-    np.testing.assert_allclose(samples_of(ground), samples_of(example_record()), atol=1e-6)
+    assert all(file.read_text("utf-8").startswith("SYNTHETIC, NOT AN") for file in files)
+    north, east, up = (samples_of(rr.ground.read(file, component="x"))[:, 0] for file in files)
+    np.testing.assert_array_equal(samples_of(ground), np.stack([north, -east, up], axis=1))
     # x points east, and y, on its left, to the north.
     to_east = rr.ground.read(files[2], files[1], files[0])
     assert to_east.heading == pytest.approx(math.pi / 2)

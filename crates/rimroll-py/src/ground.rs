@@ -4,7 +4,7 @@ use crate::arguments::{RimrollError, refusal};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use rimroll::InvalidInput;
-use rimroll::ground::{Ground, Pulse, Shape};
+use rimroll::ground::{Ground, Pulse, Shape, Synthetic};
 use rimroll::motion::{FlatLanding, Side};
 use std::sync::Arc;
 
@@ -40,6 +40,27 @@ impl CoreGround {
         let rows = acceleration.as_array();
         let samples = rows.rows().into_iter().map(|row| [row[0], row[1], row[2]]);
         let ground = Ground::sampled(step, samples.collect());
+        Ok(ground.map_err(refusal)?.into())
+    }
+
+    /// A synthetic record of `count` samples.
+    #[staticmethod]
+    fn synthetic(
+        seed: u64,
+        peak: [f64; 3],
+        step: f64,
+        count: usize,
+        soil_period: f64,
+        soil_damping: f64,
+    ) -> PyResult<CoreGround> {
+        let ground = Ground::synthetic(&Synthetic {
+            seed,
+            peak,
+            step,
+            count,
+            soil_period,
+            soil_damping,
+        });
         Ok(ground.map_err(refusal)?.into())
     }
 

@@ -13,10 +13,13 @@
 mod kinematics;
 mod pulse;
 mod record;
+mod synthetic;
 
 pub use kinematics::GroundKinematics;
 pub use pulse::{Pulse, Shape};
 pub use record::Record;
+pub use synthetic::Synthetic;
+pub(crate) use synthetic::random_bits;
 
 use crate::error::InvalidInput;
 use crate::real::Real;

@@ -2,24 +2,11 @@
 
 from __future__ import annotations
 
-import math
-
-import numpy as np
-from numpy.typing import NDArray
-
+from rimroll import _core
 from rimroll.errors import RimrollError, hold
 from rimroll.given import Number, Values, numbers, positive, random_seed
 from rimroll.ground.ground import Ground
 from rimroll.ground.lines import MAX_POINTS
-from rimroll.ground.records import sampled
-
-Array = NDArray[np.float64]
-
-SLOW = 0.1
-"""Frequency of the high-pass filter over that of the soil."""
-SLOW_DAMPING = 0.6
-FADED = 0.05
-"""The part of the strongest shaking that is left at the end."""
 
 
 def synthetic(
@@ -44,7 +31,7 @@ def synthetic(
     Parameters
     ----------
     seed
-        A whole number; the same seed gives the same record, with the same version of NumPy.
+        A whole number; the same seed gives the same record, to the last bit, on every machine.
     amplitude
         The peak, m/s²: a number, along x alone, or three (x, y, z).
     duration, step
@@ -58,7 +45,6 @@ def synthetic(
     >>> rr.ground.synthetic(1, amplitude=("0.3 g", "0.3 g", "0.2 g"))
     <Ground of 2001 samples at 0.01 s: 20 s, peaks 2.942, 2.942, 1.961 m/s²>
     """
-    random = np.random.default_rng(random_seed(seed))
     peaks = numbers("amplitude", amplitude, "m/s^2")
     if peaks.shape not in ((), (3,)):
         raise RimrollError(f"amplitude must be one number or three (x, y, z), got {amplitude!r}")
@@ -69,29 +55,6 @@ def synthetic(
         raise RimrollError(
             f"duration/step must be between 100 and {MAX_POINTS}, got {end / interval:g}"
         )
-    t = np.arange(count + 1) * interval
-    noise = random.standard_normal((3, count + 1)) * _envelope(t / t[-1])
     soil = positive("soil_period", soil_period, "s"), positive("soil_damping", soil_damping)
-    shaken = _filtered(noise, interval, *soil)
-    wanted = peaks if peaks.ndim else np.array([float(peaks), 0.0, 0.0])
-    scale = wanted / np.abs(shaken).max(axis=1)
-    return sampled(interval, (shaken * scale[:, np.newaxis]).T)
-
-
-def _envelope(part: Array) -> Array:
-    """Jennings' envelope over the part of the duration that has passed."""
-    decay = np.exp(math.log(FADED) * (part - 0.4) / 0.6)
-    return np.where(part < 0.1, (part / 0.1) ** 2, np.where(part < 0.4, 1.0, decay))
-
-
-def _filtered(noise: Array, step: float, period: float, damping: float) -> Array:
-    """The response of soil to accelerations (3, n) of the rock, without what is slow."""
-    count = noise.shape[1]
-    padded = 2 * count  # a filter goes round, from the end to the beginning
-    # Frequencies relative to that of the soil, and of the high-pass filter.
-    r = np.fft.rfftfreq(padded, step) * period
-    soil = (1.0 + 2j * damping * r) / (1.0 - r**2 + 2j * damping * r)
-    q = r / SLOW
-    high = -(q**2) / (1.0 - q**2 + 2j * SLOW_DAMPING * q)
-    filtered = np.fft.irfft(np.fft.rfft(noise, padded, axis=1) * soil * high, padded, axis=1)
-    return filtered[:, :count]
+    wanted = peaks.tolist() if peaks.ndim else [float(peaks), 0.0, 0.0]
+    return Ground(_core.CoreGround.synthetic(random_seed(seed), wanted, interval, count + 1, *soil))

@@ -3,6 +3,7 @@
 use super::instant::LEVEL_PHASES;
 use super::level_base::UPLIFT_TILT;
 use crate::error::{InvalidInput, bounded};
+use crate::ground::random_bits;
 use crate::law::Parameters;
 use crate::real::{Real, Scalar};
 use crate::state::Coordinates;
@@ -70,15 +71,6 @@ impl Side {
             }
         }
     }
-}
-
-/// Random bits by the generator SplitMix64 (G. L. Steele, D. Lea & C. H. Flood, 2014).
-fn random_bits(seed: u64, index: u64) -> u64 {
-    const INCREMENT: u64 = 0x9e37_79b9_7f4a_7c15;
-    let mut z = seed.wrapping_add(INCREMENT.wrapping_mul(index.wrapping_add(1)));
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 /// The factor of φ̇ in a plastic collision of a rim that rolls or slides.
