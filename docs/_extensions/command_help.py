@@ -1,4 +1,7 @@
-"""The directive `command-help`: a section for each command of rimroll, with the help it prints."""
+"""The directive `command-help`: a section for each command of rimroll, with the help it prints.
+
+The help of a command is folded up until the reader opens it.
+"""
 
 import contextlib
 import io
@@ -33,8 +36,9 @@ class CommandHelp(SphinxDirective):
             name = f"rimroll-{'-'.join(words)}"
             title = nodes.title("", "", nodes.literal("", f"rimroll {' '.join(words)}"))
             section = nodes.section("", title, ids=[name], names=[name])
-            section += nodes.paragraph("", line)
+            section += nodes.raw("", f"<details><summary>{line}</summary>", format="html")
             section += nodes.literal_block("", help_of(*words), language="text")
+            section += nodes.raw("", "</details>", format="html")
             self.state.document.note_explicit_target(section)
             found.append(section)
         return found

@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rimroll.paper.claims import AGREES, CUT, DIFFERS, MEASURED, Claim, all_claims
+import rimroll as rr
+from rimroll.paper.claims import AGREES, CUT, DIFFERS, INPUT, MEASURED, Claim, all_claims
 from rimroll.paper.errata import ERRATA
 
 PROOFS = (Path(__file__).parents[1] / "proofs/test_newton_euler.py").read_text("utf-8")
@@ -55,6 +56,19 @@ def test_the_can_of_the_caption_taken_literally_topples_instead_of_rocking(claim
     assert claim.ours == pytest.approx(1.5, abs=1e-9)
     assert "t = 2.129" in claim.remark
     assert "182.99° and 183.18°" in claim.remark
+
+
+def test_numbers_that_rimroll_takes_from_the_paper_do_not_count_as_agreeing(claims):
+    inputs = [claim for claim in claims if claim.verdict == INPUT]
+    can = rr.bodies.can_2007()
+    typed_in = {
+        can.mass,
+        100 * can.radius,
+        100 * can.height,
+        1e3 * can.transverse_inertia / can.mass,
+        9.8,
+    }
+    assert {claim.ours for claim in inputs} == typed_in
 
 
 def test_the_step_of_disks_depends_on_no_friction_but_the_turn_to_the_tilt_maximum_does(claims):

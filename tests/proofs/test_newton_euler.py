@@ -704,6 +704,20 @@ def test_erratum_contact_point():
     assert right.subs(phi, 0) == circle == printed.subs(phi, 0)
 
 
+def test_erratum_contact_circle_needs_no_condition_on_the_yaw():
+    cos_psi, sin_psi = sp.cos(psi), sp.sin(psi)
+    horizontal = [
+        (-r_PG)[i].subs(phi, 0) + phi * sp.diff(-r_PG, phi)[i].subs(phi, 0) for i in (0, 1)
+    ]
+    scale = 1 - phi * H / R
+    assert vanishes(horizontal[0] + R * cos_psi * scale)
+    assert vanishes(horizontal[1] + R * sin_psi * scale)
+    # As printed, x_P is off by H phi at every yaw: without bound relative to R cos(psi) near pi/2.
+    printed = -R * sp.cos(phi) * cos_psi + H * sp.sin(phi)
+    error = sp.diff(printed + R * cos_psi, phi).subs(phi, 0)
+    assert vanishes(error - H)
+
+
 def test_erratum_omega_2_turns_the_frame_of_the_velocity():
     velocity = on_tilted(ne.ROLLING_VELOCITY)
     omega = on_tilted(OMEGA)

@@ -21,6 +21,7 @@ from rimroll.paper.setting import CAN, GRAVITY, LAWS, motion, start
 from rimroll.style import superscript
 
 AGREES, CUT, DIFFERS, MEASURED = "agrees", "cut, not rounded", "differs", "measured"
+INPUT = "input"
 
 
 @dataclass(frozen=True)
@@ -37,12 +38,16 @@ class Claim:
     digits: int = 2
     stated: bool = True
     """Whether the paper prints the number; else it follows from what the paper says."""
+    is_input: bool = False
+    """Whether rimroll takes the number from the paper, so that to agree proves nothing."""
 
     @property
     def verdict(self) -> str:
-        """``agrees``, ``cut, not rounded``, ``differs``; ``measured`` when there is nothing to compute."""
+        """``agrees``, ``cut, not rounded``, ``differs``; ``measured`` or ``input`` when rimroll computes nothing."""
         if self.ours is None:
             return MEASURED
+        if self.is_input:
+            return INPUT
         excess = self.ours - self.printed
         if abs(excess) <= self.within:
             return AGREES
@@ -169,13 +174,13 @@ def parameters() -> list[Claim]:
     where = "Simulation figure, caption"
     per_mass = "Per unit mass: the caption gives A and C as if in kg m²."
     return [
-        Claim("Quantitative comparisons", "R", 5.1, "cm", 100 * CAN.radius, 0.05),
-        Claim("Quantitative comparisons", "H", 6.9, "cm", 100 * CAN.height, 0.05),
+        Claim("Quantitative comparisons", "R", 5.1, "cm", 100 * CAN.radius, 0.05, is_input=True),
+        Claim("Quantitative comparisons", "H", 6.9, "cm", 100 * CAN.height, 0.05, is_input=True),
         Claim("Quantitative comparisons", "A/m", 5.13, "10⁻³ m²",
-              1e3 * CAN.transverse_inertia / CAN.mass, 0.005),
-        Claim(where, "m", 0.070, "kg", CAN.mass, 0.0005, digits=3),
+              1e3 * CAN.transverse_inertia / CAN.mass, 0.005, is_input=True),
+        Claim(where, "m", 0.070, "kg", CAN.mass, 0.0005, digits=3, is_input=True),
         Claim(where, "A = 5.1 × 10⁻³", 5.1, "10⁻³ m²", 1e3 * CAN.transverse_inertia / CAN.mass, 0.05,
-              per_mass),
+              per_mass, is_input=True),
         Claim(where, "C = 8 × 10⁻³: largest C/m possible inside the rim, R²", 8, "10⁻³ m²", 1e3 * most,
               0.5, "Impossible even per unit mass: C/m is the mean square of the distance from the axis. "
               f"rimroll uses {1e3 * CAN.axial_inertia / CAN.mass:.1f}; no limiting angle depends on C."),
@@ -184,7 +189,7 @@ def parameters() -> list[Claim]:
               f"With these numbers the can does not rock: {literal.message}. The limits would be "
               f"{_limit(literal.body, NoSlip()):.2f}° and {_limit(literal.body, Frictionless()):.2f}°.",
               digits=4),
-        Claim(where, "g", 9.8, "m/s²", GRAVITY, 0.05),
+        Claim(where, "g", 9.8, "m/s²", GRAVITY, 0.05, is_input=True),
     ]  # fmt: skip
 
 

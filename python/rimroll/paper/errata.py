@@ -81,6 +81,14 @@ ERRATA = (
         "test_erratum_contact_point",
     ),
     Erratum(
+        "Contact point at small tilt",
+        "x<sub>P</sub> ≈ x<sub>G</sub> − R cosψ, …, “when … ψ is not particularly close to any multiple of π/2”",
+        "at every ψ",
+        "The right contact point is this circle times 1 − φH/R + O(φ²), whatever ψ; with the misprint "
+        "above, H sinφ would exceed R cosψ near odd multiples of π/2.",
+        "test_erratum_contact_circle_needs_no_condition_on_the_yaw",
+    ),
+    Erratum(
         "Appendix A, text",
         "Ω × v<sub>G</sub> from the rotation of the frame",
         "Ω₂ × v<sub>G</sub>; the printed acceleration itself is right",

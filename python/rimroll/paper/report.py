@@ -27,16 +27,21 @@ from rimroll.theory import turn_limit
 Progress = Callable[[int, int, str], None]
 
 FILM = "rocking.gif"
+FILM_SIZE = (480, 360)
 
 
 @dataclass(frozen=True)
 class Picture:
-    """A drawing as the page shows it; ``source`` is a data URL of the picture."""
+    """A drawing as the page shows it; ``source`` is a data URL of the picture.
+
+    ``size`` is its width and height, pixels: with them the page keeps its place until it is drawn.
+    """
 
     slug: str
     title: str
     caption: str
     source: str
+    size: tuple[int, int]
     table: Table | None
 
 
@@ -64,7 +69,7 @@ def reproduce(folder: str | os.PathLike[str], progress: Progress | None = None) 
         drawings.append(drawing)
 
     say(total - 2, total, "the film")
-    animate(setting.motion(setting.LAWS[0]), folder / FILM, seconds=7.0, fps=20)
+    animate(setting.motion(setting.LAWS[0]), folder / FILM, seconds=7.0, fps=20, size=FILM_SIZE)
 
     say(total - 1, total, "the page")
     _write_numbers(folder / "numbers.json", claims, drawings)
@@ -85,7 +90,10 @@ def _save(drawing: Drawing, folder: Path) -> Picture:
     with writing(folder / f"{drawing.slug}.png") as part:
         drawing.figure.savefig(part, dpi=150)
     address = _data_address(vector, "image/svg+xml")
-    return Picture(drawing.slug, drawing.title, drawing.caption, address, drawing.table)
+    width, height = (round(96 * inches) for inches in drawing.figure.get_size_inches())
+    return Picture(
+        drawing.slug, drawing.title, drawing.caption, address, (width, height), drawing.table
+    )
 
 
 def _data_address(path: Path, kind: str) -> str:
@@ -136,6 +144,7 @@ def _page(claims: dict[str, list[Claim]], pictures: list[Picture], film: str) ->
         sections=list(_sections(pictures)),
         errata=ERRATA,
         film=film,
+        film_size=FILM_SIZE,
         limits={law.name: float(np.degrees(turn_limit(setting.CAN, law))) for law in setting.LAWS},
     )
 
