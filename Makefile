@@ -11,6 +11,9 @@ PACKAGE := $(shell find python/rimroll -type f -not -path '*/__pycache__/*' -not
 REPORT  := out/paper/index.html
 PAGE    := python/rimroll/page/index.html
 
+# NumPy and OpenBLAS compute as on a processor without AVX2, AVX-512 and fused operations, which changes last bits.
+OTHER_PROCESSOR := NPY_DISABLE_CPU_FEATURES="X86_V3 X86_V4 AVX512_ICL AVX512_SPR" OPENBLAS_CORETYPE=Prescott
+
 .DELETE_ON_ERROR:
 .PHONY: help demo web docs dev check test soak bench census scorecard wheels lint audit semver msrv clean toolchain
 
@@ -44,6 +47,8 @@ test: .venv/.extension $(PAGE) ## run the tests of the core (Rust), of the packa
 soak: .venv/.extension $(PAGE) ## run all tests, with four times as many random examples, as before a release
 	RIMROLL_CASES=4 cargo test
 	.venv/bin/python -m pytest -m "" --hypothesis-profile soak tests score/tests
+	$(OTHER_PROCESSOR) .venv/bin/python -m pytest tests/docs tests/ground
+	.venv/bin/python bench/shaken_census.py --number 300
 	RIMROLL_CASES=4 tools/test_page.sh
 
 bench: .venv/.extension ## measure against the peers, into bench/results (a quarter of an hour)

@@ -6,7 +6,7 @@ import sys
 from contextlib import contextmanager
 
 from given.ctrl_c import running
-from given.small_study import until, with_tests
+from given.small_study import STRICTLY, until, with_tests
 
 BY_ITSELF = "import sys; from {} import main; sys.exit(main())"
 
@@ -56,4 +56,4 @@ def pausing(address, file, place, what="wait"):
 def client(file, address):
     """A run on a cluster, in a process of its own."""
     command = ("-m", "rimroll.cli", "study", "run", str(file), "--scheduler", address)
-    return running("-W", "error", *command)
+    return running(*STRICTLY, *command)

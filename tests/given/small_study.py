@@ -23,6 +23,9 @@ axes = { friction = { of = "law.friction", values = [0.05, 0.1, 0.4] } }
 """
 """150 flicks in 15 chunks."""
 
+STRICTLY = ("-W", "error", "-W", "ignore:During parsing environment variable:ImportWarning")
+"""Python's options for warnings as errors, as pytest has them: see ``pyproject.toml``."""
+
 CHUNKS = 15
 
 STATISTICS = """
@@ -41,7 +44,7 @@ def written(path, text=STUDY):
 def rimroll(*arguments, **options):
     """A command in a process of its own, where warnings are errors: code, stdout and stderr."""
     run = subprocess.run(
-        [sys.executable, "-W", "error", "-m", "rimroll.cli", *map(str, arguments)],
+        [sys.executable, *STRICTLY, "-m", "rimroll.cli", *map(str, arguments)],
         capture_output=True,
         text=True,
         timeout=PATIENCE,

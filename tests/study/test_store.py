@@ -15,6 +15,7 @@ import rimroll as rr
 from given.small_study import (
     CHUNKS,
     STATISTICS,
+    STRICTLY,
     STUDY,
     as_json,
     done,
@@ -75,7 +76,7 @@ found = xr.open_zarr({str(store.path)!r}, consolidated=False)
 print(found.sizes["trial"], float(found.turn.sel(friction=0.1)[3]), found.turn.units)
 """
     run = subprocess.run(
-        [sys.executable, "-W", "error", "-c", program], capture_output=True, text=True, check=True
+        [sys.executable, *STRICTLY, "-c", program], capture_output=True, text=True, check=True
     )
     turn = float(store.open().turn.values[1, 3])
     assert run.stdout == f"50 {turn} rad\n"
