@@ -139,7 +139,13 @@ def steady_wobble_rate(body: Body, tilt: Values, gravity: Values = _core.STANDAR
     """Yaw rate of the steady wobble at a tilt with the centre of mass at rest, rad/s.
 
     ψ̇² = m g R (R cosφ − H sinφ)/[sinφ (A R cosφ − C H sinφ)]; no friction acts. The spin rate is
-    ψ̇ (H sinφ/R − cosφ). The tilt must lie inside (0, ``balance_tilt``).
+    ψ̇ (H sinφ/R − cosφ).
+
+    The quotient must be positive. Both factors in parentheses are positive below the smaller of the
+    tilts where one of them vanishes, of which one is the balance tilt. Both are negative beyond the
+    larger, where a tube spins nearly horizontal on one rim.
+
+    Raises ``RimrollError`` for a tilt outside (0, π) or between these two.
     """
     expect("body", body, Body)
     tilt, gravity = values("tilt", tilt, "rad"), values("gravity", gravity, "m/s^2")

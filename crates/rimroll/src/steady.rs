@@ -80,31 +80,25 @@ pub fn steady_motions(
 /// this motion exists under every law. Its spin rate is s = Hψ̇ sin φ/R, that is
 /// θ̇ = ψ̇ (H sin φ/R − cos φ).
 ///
+/// Below the smaller of the tilts where ρ = 0 (balance) and where A R cos φ = C H sin φ both factors are positive, and
+/// beyond the larger one both are negative, as for a tube that spins nearly horizontal on one rim.
+///
 /// # Errors
-/// Refuses gravity ≤ 0, a tilt outside (0, balance tilt), and a tilt at which no steady wobble exists
-/// (ψ̇² < 0).
+/// Refuses gravity ≤ 0, a tilt outside (0, π), and a tilt at which no steady wobble exists
+/// (ψ̇² ≤ 0).
 pub fn steady_wobble_rate(body: &Body, tilt: f64, gravity: f64) -> Result<f64, InvalidInput> {
     let g = positive("gravity", gravity, "m/s2")?;
-    let balance = body.balance_tilt();
-    bounded(
-        "tilt",
-        tilt,
-        |tilt| tilt > 0.0 && tilt < balance,
-        &format!("inside (0, balance_tilt = {balance} rad)"),
-        "rad",
-    )?;
+    let inside = |tilt| tilt > 0.0 && tilt < PI;
+    bounded("tilt", tilt, inside, "inside (0, pi)", "rad")?;
     let (sin, cos) = libm::sincos(tilt);
     let (m, r, h) = (body.mass(), body.radius(), body.height());
     let rho = r * cos - h * sin;
     let stiffness = body.transverse_inertia() * r * cos - body.axial_inertia() * h * sin;
     let square = m * g * r * rho / (sin * stiffness);
-    bounded(
-        "tilt",
-        tilt,
-        |_| square > 0.0 && square.is_finite(),
-        "one at which a steady wobble exists (A R cos(tilt) > C H sin(tilt))",
-        "rad",
-    )?;
+    let exists = |_| square > 0.0 && square.is_finite();
+    let bound = "one at which a steady wobble exists \
+        ((R cos(tilt) - H sin(tilt))/(A R cos(tilt) - C H sin(tilt)) > 0)";
+    bounded("tilt", tilt, exists, bound, "rad")?;
     Ok(square.sqrt())
 }
 
@@ -146,7 +140,8 @@ pub fn critical_spinning_rate(disk: &Body, gravity: f64) -> Result<f64, InvalidI
 
 fn check_disk(body: &Body) -> Result<(), InvalidInput> {
     let is_disk = |height: f64| height == 0.0;
-    bounded("height", body.height(), is_disk, "0 (a disk)", "m")?;
+    let bound = "0 (a disk without thickness, as from disk(radius))";
+    bounded("height", body.height(), is_disk, bound, "m")?;
     Ok(())
 }
 

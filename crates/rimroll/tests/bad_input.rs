@@ -1,6 +1,6 @@
 //! Every error message names the field, the value, the bound and the unit.
 
-use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::ControlFlow;
 use rimroll::steady::steady_wobble_rate;
 use rimroll::turn::{
@@ -394,7 +394,6 @@ fn a_law_is_known_by_its_name() {
 fn closed_forms_refuse_what_they_do_not_describe() {
     let body = can();
     let law = IdealLaw::NoSlip;
-    let balance = body.balance_tilt();
     let cases = [
         (
             refusal(turn_limit_with_spin(&body, NAN, 7.0)),
@@ -442,7 +441,11 @@ fn closed_forms_refuse_what_they_do_not_describe() {
         ),
         (
             refusal(steady_wobble_rate(&body, 0.7, 9.8)),
-            &format!("tilt must be inside (0, balance_tilt = {balance} rad), got 0.7 rad"),
+            &format!("tilt must be one at which a steady wobble exists ({SAME_SIGN}), got 0.7 rad"),
+        ),
+        (
+            refusal(steady_wobble_rate(&body, PI, 9.8)),
+            &format!("tilt must be inside (0, pi), got {PI} rad"),
         ),
         (
             refusal(NearCollision::new(&body, law, 0.0, 1.0, 1.0)),
@@ -462,16 +465,25 @@ fn closed_forms_refuse_what_they_do_not_describe() {
     }
 }
 
-/// Where C H tan φ > A R no yaw rate balances the weight. Here a body with its mass far out and high up is
-/// close to its balance point.
+const SAME_SIGN: &str = "(R cos(tilt) - H sin(tilt))/(A R cos(tilt) - C H sin(tilt)) > 0";
+
+/// Between the balance tilt and the tilt where C H tan φ = A R no yaw rate balances the weight. Here a body with its mass
+/// far out and high up, for which the balance tilt is the larger of the two.
 #[test]
 fn no_steady_wobble_where_no_yaw_rate_balances_the_body() {
     let body = Body::new(1.0, 0.1, 0.1, 1e-3, 2e-3).expect("a rigid body");
-    assert_eq!(
-        refusal(steady_wobble_rate(&body, 0.7, 9.8)),
-        "tilt must be one at which a steady wobble exists (A R cos(tilt) > C H sin(tilt)), got 0.7 rad"
-    );
-    assert!(steady_wobble_rate(&body, 0.4, 9.8).is_ok());
+    let (other, balance) = (libm::atan(0.5), body.balance_tilt());
+    for tilt in [other + 1e-9, 0.7, balance - 1e-9] {
+        assert_eq!(
+            refusal(steady_wobble_rate(&body, tilt, 9.8)),
+            format!(
+                "tilt must be one at which a steady wobble exists ({SAME_SIGN}), got {tilt} rad"
+            )
+        );
+    }
+    for tilt in [0.4, other - 1e-9, balance + 1e-9, 1.0, 3.0] {
+        assert!(steady_wobble_rate(&body, tilt, 9.8).is_ok());
+    }
 }
 
 #[test]
