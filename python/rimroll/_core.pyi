@@ -19,7 +19,7 @@ OUTCOMES: list[str]
 LAWS: list[str]
 MAX_FRICTION: float
 STANDARD_GRAVITY: float
-ROUGHNESS: tuple[float, float]
+UNEVENNESS: tuple[float, float]
 SPEED_OF_SOUND: float
 
 _Array = NDArray[np.float64]
@@ -160,6 +160,7 @@ class CoreMotion:
     def events(self) -> tuple[list[str], _Array]: ...
     def phases(self) -> list[tuple[str, float]]: ...
     def turns(self) -> list[tuple[float, float, float, float, float, float, float]]: ...
+    def first_turn(self) -> tuple[float, float, float, float, float, float, float] | None: ...
     def validity(
         self,
     ) -> list[tuple[tuple[float, float, float, float, float, float], list[bool]]]: ...

@@ -71,7 +71,7 @@ mod _core {
         module.add("OUTCOMES", core::Outcome::ALL.map(core::Outcome::name))?;
         module.add("LAWS", FrictionLaw::NAMES)?;
         module.add("MAX_FRICTION", rimroll::law::MAX_FRICTION)?;
-        module.add("ROUGHNESS", <(f64, f64)>::from(core::ROUGHNESS))?;
+        module.add("UNEVENNESS", <(f64, f64)>::from(core::UNEVENNESS))?;
         module.add("SPEED_OF_SOUND", core::SPEED_OF_SOUND)?;
         module.add("STANDARD_GRAVITY", core::STANDARD_GRAVITY)
     }

@@ -16,7 +16,7 @@ use std::sync::Arc;
 pub type TurnNumbers = (f64, f64, f64, f64, f64, f64, f64);
 
 /// (gap, contact_speed, passage_time, sound_time, force_ratio, loss_ratio), and which of them are exceeded
-type ValidityNumbers = ((f64, f64, f64, f64, f64, f64), [bool; 5]);
+type ValidityNumbers = ((f64, f64, f64, f64, f64, f64), [bool; 4]);
 
 /// A computed motion, kept in the core. Tables have one column per moment and one row per quantity.
 #[pyclass(frozen)]
@@ -225,6 +225,11 @@ impl CoreMotion {
 
     fn turns(&self) -> Vec<TurnNumbers> {
         self.motion.turns.iter().map(turn_numbers).collect()
+    }
+
+    /// The first turn, which a topple or another ending may cut short.
+    fn first_turn(&self) -> Option<TurnNumbers> {
+        self.motion.first_turn().as_ref().map(turn_numbers)
     }
 
     /// For each turn: how far the model holds, and which numbers are beyond it.

@@ -3,7 +3,7 @@
 use crate::arguments::Arguments;
 use crate::exchange::{answer, name, say, unless_refused};
 use core::ops::ControlFlow;
-use rimroll::motion::{COLUMNS, Instant, Observables, ROUGHNESS, SPEED_OF_SOUND};
+use rimroll::motion::{COLUMNS, Instant, Observables, SPEED_OF_SOUND, UNEVENNESS};
 use rimroll::{FrictionLaw, InvalidInput, Motion};
 
 /// Simulates the motion of a body from a start under a contact law and keeps it until [`forget`] is called;
@@ -100,7 +100,7 @@ pub extern "C" fn turns(motion: &Motion) {
 
 /// How far the model holds from `start` to `end` with the smallest tilt at `lowest` (s): the numbers of a
 /// [`rimroll::motion::Validity`] in the order of its fields, 1 or 0 for each that is exceeded, and the limits in its
-/// table: the roughness from smooth to rough (m) and the speed of sound (m/s).
+/// table: the unevenness from fine to coarse (m) and the speed of sound (m/s).
 #[unsafe(no_mangle)]
 pub extern "C" fn validity(motion: &Motion, start: f64, lowest: f64, end: f64) {
     let validity = motion.validity_between(start, lowest, end);
@@ -113,12 +113,12 @@ pub extern "C" fn validity(motion: &Motion, start: f64, lowest: f64, end: f64) {
         validity.loss_ratio,
     ];
     let exceeded = validity.exceeded().map(|is| f64::from(u8::from(is)));
-    let [smooth, rough] = ROUGHNESS;
+    let [fine, coarse] = UNEVENNESS;
     answer(
         numbers
             .into_iter()
             .chain(exceeded)
-            .chain([smooth, rough, SPEED_OF_SOUND]),
+            .chain([fine, coarse, SPEED_OF_SOUND]),
     );
 }
 

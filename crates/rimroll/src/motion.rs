@@ -39,7 +39,7 @@ pub use fall::{EndState, Fall, fall};
 pub use flat_landing::{FlatLanding, Side};
 pub use instant::{Instant, Phase};
 use level_base::LevelBase;
-pub use model_validity::{ROUGHNESS, SPEED_OF_SOUND, Validity};
+pub use model_validity::{SPEED_OF_SOUND, UNEVENNESS, Validity};
 use observables::observables;
 pub use observables::{COLUMNS, Observables, Pose, pose};
 pub use options::{Options, STANDARD_GRAVITY};

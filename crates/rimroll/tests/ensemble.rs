@@ -68,6 +68,7 @@ proptest! {
     ) {
         let motion = whole(&body, &start, contact_law.clone());
         let fall = fall(&body, &start, &contact_law, &options()).expect("a valid start");
+        prop_assert_eq!(fall.turn, motion.first_turn());
         if let Some(turn) = motion.turns.first() {
             // Both make the same steps, so the results agree to the last bit.
             prop_assert_eq!(fall.turn, Some(*turn));

@@ -119,8 +119,29 @@ class Motion(Moments):
 
     @cached_property
     def turns(self) -> list[Turn]:
-        """The turns, in order of time."""
+        """The complete turns, in order of time.
+
+        A body that falls over in its first turn has none: see :attr:`first_turn`.
+        """
         return [Turn(*numbers) for numbers in self._core.turns()]
+
+    @cached_property
+    def first_turn(self) -> Turn | None:
+        """The first turn, which toppling or another ending may cut short, as in an ensemble.
+
+        It is the first of :attr:`turns`. If the motion ends before, it goes up to that ending: a
+        body that topples turns until then, and ``end`` and ``max_tilt`` are the time and the tilt
+        at which it topples. None for a body that does not come down, and where the duration or the
+        steps ran out first.
+
+        >>> import numpy as np, rimroll as rr
+        >>> start = rr.State(tilt="20 deg", tilt_rate=-5.0, yaw_rate=0.01)
+        >>> motion = rr.simulate(rr.bodies.can_2007(), start, rr.NoSlip())
+        >>> motion.status, motion.turns, round(float(np.degrees(motion.first_turn.angle)), 1)
+        ('toppled', [], 202.4)
+        """
+        numbers = self._core.first_turn()
+        return None if numbers is None else Turn(*numbers)
 
     @cached_property
     def validity(self) -> list[Validity]:
@@ -129,11 +150,11 @@ class Motion(Moments):
         >>> import rimroll as rr
         >>> start = rr.State(tilt=0.5, yaw_rate=0.001)
         >>> print(rr.simulate(rr.bodies.can_2007(), start, rr.NoSlip()).validity[0])
-        beyond the model: the gap closes to 4.1e-06 m; roughness is 1e-06 to 1e-05 m
+        beyond the model: the gap closes to 4.1e-06 m; a rim is flat within 0.0001 to 0.0004 m
         beyond the model: the contact point runs at 7.15e+03 m/s; sound runs at 5000 m/s
         beyond the model: most of the angle takes 4.94e-05 s; sound crosses the base in 2.04e-05 s
-        beyond the model: the largest force is 3.25e+03 weights; a rim yields at about 100
         beyond the model: the turn loses 0 % of the energy; a real can loses 1 % or more
+        the largest force is 3.25e+03 weights, at one point
         """
         return validity_of(self._core)
 

@@ -42,6 +42,8 @@ class Phase:
 class Turn:
     """The motion from one tilt maximum to the next, through a tilt minimum; rad and s.
 
+    That of a body that falls over ends there instead: see :attr:`Motion.first_turn`.
+
     The first turn begins at the release if the tilt falls then, else at the next tilt maximum. The
     sign of ``tilt_rate`` decides, however small it is; at exactly 0, the sign of the tilt's
     acceleration decides. When a disk passes the vertical, one turn ends and another begins.

@@ -104,9 +104,9 @@ export interface Validity {
   /** Energy lost over the largest kinetic energy. */
   lossRatio: number;
   /** Which of these are beyond the model. */
-  exceeded: Record<"gap" | "contactSpeed" | "passageTime" | "forceRatio" | "lossRatio", boolean>;
-  /** Heights of the roughness of rims and tables, from smooth to rough, m. */
-  roughness: readonly [number, number];
+  exceeded: Record<"gap" | "contactSpeed" | "passageTime" | "lossRatio", boolean>;
+  /** How far rims and tables depart from a plane, from fine to coarse, m. */
+  unevenness: readonly [number, number];
   /** Speed of sound in the body, m/s. */
   speedOfSound: number;
 }
@@ -204,15 +204,14 @@ export class Motion {
       soundTime,
       forceRatio,
       lossRatio,
-      isRough,
+      isUneven,
       isFast,
       isFlexible,
-      isYielding,
       isLossless,
-      smooth,
-      rough,
+      fine,
+      coarse,
       speedOfSound,
-    ] = Array.from(this.exchange.numbers()) as Row<14>;
+    ] = Array.from(this.exchange.numbers()) as Row<13>;
     return {
       gap,
       contactSpeed,
@@ -221,13 +220,12 @@ export class Motion {
       forceRatio,
       lossRatio,
       exceeded: {
-        gap: isRough === 1,
+        gap: isUneven === 1,
         contactSpeed: isFast === 1,
         passageTime: isFlexible === 1,
-        forceRatio: isYielding === 1,
         lossRatio: isLossless === 1,
       },
-      roughness: [smooth, rough],
+      unevenness: [fine, coarse],
       speedOfSound,
     };
   }

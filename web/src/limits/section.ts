@@ -5,7 +5,7 @@ import { element } from "../elements";
 import type { Lab } from "../lab";
 import { shownPassage } from "../verdict/passage";
 import "./limits.css";
-import { roughnessChoice } from "./roughness";
+import { unevennessChoice } from "./unevenness";
 import { limitsOf } from "./words";
 import { words } from "../words/words";
 
@@ -18,7 +18,7 @@ export function mountLimits(lab: Lab, place: HTMLElement): void {
     element("h2", {}, words.limits.title),
     element("p", {}, words.limits.intro),
     list,
-    roughnessChoice(lab, passage),
+    unevennessChoice(lab, passage),
     none,
     element("p", {}, words.limits.trust),
   );

@@ -1,4 +1,4 @@
-// How long a base is nearer to the table than their roughness.
+// How long a base is nearer to the table than their unevenness.
 
 import type { Motion } from "../core/motion";
 
@@ -10,12 +10,12 @@ export interface Touching {
 }
 
 /** The part of a motion from `start` to `end` (s) during which the highest point of the rim, whose radius is in m, is lower than a
- * roughness (m). Undefined if there is none. */
+ * unevenness (m). Undefined if there is none. */
 export function touching(
   motion: Motion,
   { start, end }: { start: number; end: number },
   radius: number,
-  roughness: number,
+  unevenness: number,
 ): Touching | undefined {
   const moments = motion.curve();
   const [t, tilt, yaw] = [moments.column("t"), moments.column("tilt"), moments.column("yaw")];
@@ -24,7 +24,7 @@ export function touching(
     const [from, to] = [t[k - 1]!, t[k]!];
     const inside = Math.min(to, end) - Math.max(from, start);
     if (inside <= 0) continue;
-    const low = partBelow(tilt[k - 1]!, tilt[k]!, roughness / (2 * radius));
+    const low = partBelow(tilt[k - 1]!, tilt[k]!, unevenness / (2 * radius));
     const part = low * (inside / (to - from));
     time += part * (to - from);
     angle += part * Math.abs(yaw[k]! - yaw[k - 1]!);

@@ -20,9 +20,9 @@ export function limitsOf(validity: Validity): Limit[] {
   return [gap, speed, rigid, force, losses].map((limit) => limit(validity));
 }
 
-function gap({ gap, roughness: [smooth], exceeded: { gap: exceeded } }: Validity): Limit {
+function gap({ gap, unevenness: [fine], exceeded: { gap: exceeded } }: Validity): Limit {
   const { limits } = words;
-  const means = exceeded ? (gap < smooth ? limits.gapTiny : limits.gapSmall) : limits.gapWide;
+  const means = exceeded ? (gap < fine ? limits.gapTiny : limits.gapSmall) : limits.gapWide;
   return { name: limits.gap, here: formatLengthShort(gap), means, exceeded };
 }
 
@@ -52,13 +52,13 @@ function rigid({ passageTime, soundTime, exceeded: { passageTime: exceeded } }: 
   };
 }
 
-function force({ forceRatio, exceeded: { forceRatio: exceeded } }: Validity): Limit {
+function force({ forceRatio }: Validity): Limit {
   const { limits } = words;
   return {
     name: limits.force,
     here: limits.timesWeight(formatWide(forceRatio, 2)),
-    means: exceeded ? limits.yields : limits.bears,
-    exceeded,
+    means: limits.atOnePoint,
+    exceeded: false,
   };
 }
 

@@ -520,18 +520,18 @@ export const de: Table = {
 
   limits: {
     title: "Was dieses Modell weglässt",
-    roughness: "Rauheit von Rand und Tisch",
-    roughnesses: {
-      polished: "0,1 µm, poliert",
-      smooth: "1 µm, glatt",
-      turned: "3 µm, gedreht oder gezogen",
-      rough: "10 µm, rau",
-      coarse: "100 µm, grob",
+    unevenness: "Unebenheit von Rand und Tisch",
+    unevennesses: {
+      ground: "0,02 mm, geschliffen",
+      fine: "0,1 mm, fein",
+      medium: "0,2 mm, mittel",
+      coarse: "0,4 mm, grob",
+      dented: "1 mm, verbeult",
     },
     touches: (time: string, angle: string, whole: string) =>
-      `Bei dieser Rauheit berühren sie sich ${time} lang an mehreren Stellen. Währenddessen läuft der Kontaktpunkt um ${angle} der ${whole} herum; dieser Teil hängt von ihren Unebenheiten ab.`,
+      `Bei dieser Unebenheit berühren sie sich ${time} lang an mehreren Stellen. Währenddessen läuft der Kontaktpunkt um ${angle} der ${whole} herum; dieser Teil hängt von der Form beider ab.`,
     touchesOnce:
-      "Der Spalt bleibt größer als diese Rauheit, deshalb berühren sich Rand und Tisch die ganze Zeit an einem Punkt.",
+      "Der Spalt bleibt größer als diese Unebenheit, deshalb berühren sich Rand und Tisch die ganze Zeit an einem Punkt.",
     intro:
       "Körper und Tisch sind hier vollkommen starr und glatt, der Rand ist ein perfekter Kreis, und es gibt keine Luft. In dem gezeigten Umlauf:",
     none: "Dieser Körper kommt nicht herunter, deshalb gibt es nichts zu vergleichen.",
@@ -539,10 +539,10 @@ export const de: Table = {
       "Wo eine Zahl über das hinausgeht, was ein echter Körper kann, traue weder dem Spalt noch der Geschwindigkeit. Traue dem Winkel: Er hängt kaum davon ab, wie klein der Spalt wird. Eine Hand macht einen seitlichen Fehler von etwa 0,02 rad/s.",
     gap: "Kleinster Spalt unter dem Rand",
     gapTiny:
-      "Kleiner als die Rauheit jedes Randes und Tisches, 1 bis 10 µm: Sie berühren sich an mehreren Stellen.",
+      "Kleiner als die Unebenheit jedes Randes und Tisches, 0,1 bis 0,4 mm: Sie berühren sich an mehreren Stellen.",
     gapSmall:
-      "Nicht größer als die Rauheit von Rand und Tisch, 1 bis 10 µm: Sie berühren sich vielleicht an mehreren Stellen.",
-    gapWide: "Größer als die Rauheit von Rand und Tisch, 1 bis 10 µm.",
+      "Nicht größer als die Unebenheit von Rand und Tisch, 0,1 bis 0,4 mm: Sie berühren sich vielleicht an mehreren Stellen.",
+    gapWide: "Größer als die Unebenheit von Rand und Tisch, 0,1 bis 0,4 mm.",
     speed: "Kontaktpunkt entlang des Randes",
     speedBeyond:
       "Schneller als der Schall in Stahl, Aluminium oder Glas, 5 bis 6 km/s: Rand und Tisch können ihm nicht rechtzeitig ausweichen.",
@@ -555,8 +555,8 @@ export const de: Table = {
       `Der Schall braucht ${sound} quer durch den Boden: Der Körper bewegt sich als Ganzes.`,
     force: "Größte Kraft auf den Tisch",
     timesWeight: (ratio: string) => `${ratio} × das Gewicht`,
-    yields: "An einem Punkt: Ein echter Rand und Tisch geben dort nach, und der Körper schwingt.",
-    bears: "An einem Punkt eines Randes, der nicht nachgibt.",
+    atOnePoint:
+      "An einem Punkt des Randes. Ob er dort eine Delle bekommt, hängt von Gewicht, Material und Kante ab.",
     losses: "Energieverlust in diesem Umlauf",
     lossless:
       "Eine echte Dose verliert in jedem Umlauf Energie durch Schall, Luft und Biegung und steht bald still. „Rollwiderstand“ ist ein solcher Verlust.",

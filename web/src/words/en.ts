@@ -525,18 +525,18 @@ export const en = {
 
   limits: {
     title: "What this model leaves out",
-    roughness: "Roughness of rim and table",
-    roughnesses: {
-      polished: "0.1 µm, polished",
-      smooth: "1 µm, smooth",
-      turned: "3 µm, turned or drawn",
-      rough: "10 µm, rough",
-      coarse: "100 µm, coarse",
+    unevenness: "Unevenness of rim and table",
+    unevennesses: {
+      ground: "0.02 mm, ground",
+      fine: "0.1 mm, fine",
+      medium: "0.2 mm, medium",
+      coarse: "0.4 mm, coarse",
+      dented: "1 mm, dented",
     },
     touches: (time: string, angle: string, whole: string) =>
-      `With this roughness they touch at several points for ${time}. Meanwhile the contact point runs round ${angle} of the ${whole}; this part depends on their unevenness.`,
+      `With this unevenness they touch at several points for ${time}. Meanwhile the contact point runs round ${angle} of the ${whole}; this part depends on the shape of both.`,
     touchesOnce:
-      "The gap stays wider than this roughness, so rim and table touch at one point all the time.",
+      "The gap stays wider than this unevenness, so rim and table touch at one point all the time.",
     intro:
       "Body and table are perfectly rigid and smooth here, the rim is a perfect circle, and there is no air. In the turn that is shown:",
     none: "This body does not come down, so there is nothing to compare.",
@@ -544,10 +544,10 @@ export const en = {
       "Where a number is beyond a real body, do not trust the gap or the speed. Trust the angle, which hardly depends on how small the gap gets. A hand makes a sideways error of about 0.02 rad/s.",
     gap: "Smallest gap under the rim",
     gapTiny:
-      "Smaller than the roughness of any rim and table, 1 to 10 µm: they touch at several points.",
+      "Smaller than the unevenness of any rim and table, 0.1 to 0.4 mm: they touch at several points.",
     gapSmall:
-      "No larger than the roughness of rim and table, 1 to 10 µm: they may touch at several points.",
-    gapWide: "Larger than the roughness of rim and table, 1 to 10 µm.",
+      "No larger than the unevenness of rim and table, 0.1 to 0.4 mm: they may touch at several points.",
+    gapWide: "Larger than the unevenness of rim and table, 0.1 to 0.4 mm.",
     speed: "Contact point along the rim",
     speedBeyond:
       "Faster than sound in steel, aluminium or glass, 5 to 6 km/s: rim and table cannot make way for it in time.",
@@ -560,8 +560,8 @@ export const en = {
       `Sound needs ${sound} to cross the base: the body moves as one piece.`,
     force: "Largest force on the table",
     timesWeight: (ratio: string) => `${ratio} × the weight`,
-    yields: "At one point: a real rim and table yield there, and the body rings.",
-    bears: "At one point of a rim that does not yield.",
+    atOnePoint:
+      "At one point of the rim. Whether it dents depends on the weight, the material and the edge.",
     losses: "Energy lost in this turn",
     lossless:
       "A real can loses energy to sound, air and bending in every turn, and soon stands still. “Rolling resistance” is one such loss.",

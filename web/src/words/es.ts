@@ -513,18 +513,18 @@ export const es: Table = {
 
   limits: {
     title: "Lo que este modelo omite",
-    roughness: "Rugosidad de borde y mesa",
-    roughnesses: {
-      polished: "0,1 µm, pulida",
-      smooth: "1 µm, lisa",
-      turned: "3 µm, torneada o estirada",
-      rough: "10 µm, rugosa",
-      coarse: "100 µm, basta",
+    unevenness: "Irregularidad de borde y mesa",
+    unevennesses: {
+      ground: "0,02 mm, rectificada",
+      fine: "0,1 mm, fina",
+      medium: "0,2 mm, media",
+      coarse: "0,4 mm, basta",
+      dented: "1 mm, abollada",
     },
     touches: (time: string, angle: string, whole: string) =>
-      `Con esta rugosidad se tocan en varios puntos durante ${time}. Entretanto el punto de contacto recorre ${angle} de los ${whole}; esta parte depende de sus irregularidades.`,
+      `Con esta irregularidad se tocan en varios puntos durante ${time}. Entretanto el punto de contacto recorre ${angle} de los ${whole}; esta parte depende de la forma de ambos.`,
     touchesOnce:
-      "La separación siempre es mayor que esta rugosidad, así que borde y mesa se tocan en un solo punto todo el tiempo.",
+      "La separación siempre es mayor que esta irregularidad, así que borde y mesa se tocan en un solo punto todo el tiempo.",
     intro:
       "Aquí el cuerpo y la mesa son perfectamente rígidos y lisos, el borde es un círculo perfecto y no hay aire. En el recorrido que se muestra:",
     none: "Este cuerpo no baja, así que no hay nada que comparar.",
@@ -532,10 +532,10 @@ export const es: Table = {
       "Donde un número supera lo posible para un cuerpo real, no te fíes de la separación ni de la velocidad. Fíate del ángulo, que apenas depende de lo pequeña que llegue a ser la separación. Una mano comete un error lateral de unos 0,02 rad/s.",
     gap: "Menor separación bajo el borde",
     gapTiny:
-      "Menor que la rugosidad de cualquier borde y mesa, de 1 a 10 µm: se tocan en varios puntos.",
+      "Menor que la irregularidad de cualquier borde y mesa, de 0,1 a 0,4 mm: se tocan en varios puntos.",
     gapSmall:
-      "No mayor que la rugosidad de borde y mesa, de 1 a 10 µm: pueden tocarse en varios puntos.",
-    gapWide: "Mayor que la rugosidad de borde y mesa, de 1 a 10 µm.",
+      "No mayor que la irregularidad de borde y mesa, de 0,1 a 0,4 mm: pueden tocarse en varios puntos.",
+    gapWide: "Mayor que la irregularidad de borde y mesa, de 0,1 a 0,4 mm.",
     speed: "Punto de contacto por el borde",
     speedBeyond:
       "Más rápido que el sonido en acero, aluminio o vidrio, de 5 a 6 km/s: borde y mesa no pueden apartarse a tiempo.",
@@ -548,8 +548,8 @@ export const es: Table = {
       `El sonido necesita ${sound} para cruzar la base: el cuerpo se mueve como una sola pieza.`,
     force: "Mayor fuerza sobre la mesa",
     timesWeight: (ratio: string) => `${ratio} × el peso`,
-    yields: "En un punto: un borde y una mesa reales ceden ahí, y el cuerpo vibra.",
-    bears: "En un punto de un borde que no cede.",
+    atOnePoint:
+      "En un punto del borde. Si se abolla ahí depende del peso, del material y del canto.",
     losses: "Energía perdida en este recorrido",
     lossless:
       "Una lata real pierde energía en cada recorrido por sonido, aire y flexión, y pronto se detiene. “Resistencia a la rodadura” es una de esas pérdidas.",

@@ -513,18 +513,18 @@ export const fr: Table = {
 
   limits: {
     title: "Ce que ce modèle néglige",
-    roughness: "Rugosité du bord et de la table",
-    roughnesses: {
-      polished: "0,1 µm, poli",
-      smooth: "1 µm, lisse",
-      turned: "3 µm, tourné ou étiré",
-      rough: "10 µm, rugueux",
-      coarse: "100 µm, grossier",
+    unevenness: "Défaut de planéité du bord et de la table",
+    unevennesses: {
+      ground: "0,02 mm, rectifié",
+      fine: "0,1 mm, fin",
+      medium: "0,2 mm, moyen",
+      coarse: "0,4 mm, grossier",
+      dented: "1 mm, bosselé",
     },
     touches: (time: string, angle: string, whole: string) =>
-      `Avec cette rugosité, ils se touchent en plusieurs points pendant ${time}. Pendant ce temps, le point de contact parcourt ${angle} sur ${whole} ; cette part dépend de leurs inégalités.`,
+      `Avec ce défaut de planéité, ils se touchent en plusieurs points pendant ${time}. Pendant ce temps, le point de contact parcourt ${angle} sur ${whole} ; cette part dépend de la forme des deux.`,
     touchesOnce:
-      "L’interstice reste plus grand que cette rugosité, donc le bord et la table se touchent toujours en un seul point.",
+      "L’interstice reste plus grand que ce défaut de planéité, donc le bord et la table se touchent toujours en un seul point.",
     intro:
       "Ici le corps et la table sont parfaitement rigides et lisses, le bord est un cercle parfait et il n’y a pas d’air. Dans le parcours montré :",
     none: "Ce corps ne redescend pas, donc il n’y a rien à comparer.",
@@ -532,10 +532,10 @@ export const fr: Table = {
       "Là où un nombre dépasse ce que peut un corps réel, ne vous fiez ni à l’interstice ni à la vitesse. Fiez-vous à l’angle, qui dépend à peine de la taille de l’interstice. Une main fait une erreur latérale d’environ 0,02 rad/s.",
     gap: "Plus petit interstice sous le bord",
     gapTiny:
-      "Plus petit que la rugosité de tout bord et de toute table, 1 à 10 µm : ils se touchent en plusieurs points.",
+      "Plus petit que le défaut de planéité de tout bord et de toute table, 0,1 à 0,4 mm : ils se touchent en plusieurs points.",
     gapSmall:
-      "Pas plus grand que la rugosité du bord et de la table, 1 à 10 µm : ils peuvent se toucher en plusieurs points.",
-    gapWide: "Plus grand que la rugosité du bord et de la table, 1 à 10 µm.",
+      "Pas plus grand que le défaut de planéité du bord et de la table, 0,1 à 0,4 mm : ils peuvent se toucher en plusieurs points.",
+    gapWide: "Plus grand que le défaut de planéité du bord et de la table, 0,1 à 0,4 mm.",
     speed: "Point de contact le long du bord",
     speedBeyond:
       "Plus rapide que le son dans l’acier, l’aluminium ou le verre, 5 à 6 km/s : le bord et la table n’ont pas le temps de s’écarter.",
@@ -548,8 +548,8 @@ export const fr: Table = {
       `Le son met ${sound} à traverser la base : le corps bouge d’un bloc.`,
     force: "Plus grande force sur la table",
     timesWeight: (ratio: string) => `${ratio} × le poids`,
-    yields: "En un point : un bord et une table réels y cèdent, et le corps vibre.",
-    bears: "En un point d’un bord qui ne cède pas.",
+    atOnePoint:
+      "En un point du bord. Qu’il s’y déforme ou non dépend du poids, du matériau et de l’arête.",
     losses: "Énergie perdue dans ce parcours",
     lossless:
       "Une vraie canette perd de l’énergie à chaque parcours, par le son, l’air et la flexion, et s’arrête vite. « Résistance au roulement » est une de ces pertes.",

@@ -513,18 +513,18 @@ export const pt: Table = {
 
   limits: {
     title: "O que este modelo omite",
-    roughness: "Rugosidade da borda e da mesa",
-    roughnesses: {
-      polished: "0,1 µm, polida",
-      smooth: "1 µm, lisa",
-      turned: "3 µm, torneada ou estirada",
-      rough: "10 µm, rugosa",
-      coarse: "100 µm, grosseira",
+    unevenness: "Irregularidade da borda e da mesa",
+    unevennesses: {
+      ground: "0,02 mm, retificada",
+      fine: "0,1 mm, fina",
+      medium: "0,2 mm, média",
+      coarse: "0,4 mm, grosseira",
+      dented: "1 mm, amassada",
     },
     touches: (time: string, angle: string, whole: string) =>
-      `Com esta rugosidade, elas se tocam em vários pontos durante ${time}. Enquanto isso, o ponto de contato percorre ${angle} dos ${whole}; essa parte depende das irregularidades delas.`,
+      `Com esta irregularidade, elas se tocam em vários pontos durante ${time}. Enquanto isso, o ponto de contato percorre ${angle} dos ${whole}; essa parte depende da forma das duas.`,
     touchesOnce:
-      "A fresta é sempre maior que esta rugosidade, por isso borda e mesa se tocam em um só ponto o tempo todo.",
+      "A fresta é sempre maior que esta irregularidade, por isso borda e mesa se tocam em um só ponto o tempo todo.",
     intro:
       "Aqui o corpo e a mesa são perfeitamente rígidos e lisos, a borda é um círculo perfeito e não há ar. No percurso mostrado:",
     none: "Este corpo não desce, por isso não há nada para comparar.",
@@ -532,10 +532,10 @@ export const pt: Table = {
       "Onde um número ultrapassa o possível para um corpo real, não confie na fresta nem na velocidade. Confie no ângulo, que quase não depende do tamanho da fresta. Uma mão comete um erro lateral de cerca de 0,02 rad/s.",
     gap: "Menor fresta sob a borda",
     gapTiny:
-      "Menor que a rugosidade de qualquer borda e mesa, 1 a 10 µm: elas se tocam em vários pontos.",
+      "Menor que a irregularidade de qualquer borda e mesa, 0,1 a 0,4 mm: elas se tocam em vários pontos.",
     gapSmall:
-      "Não maior que a rugosidade da borda e da mesa, 1 a 10 µm: elas podem se tocar em vários pontos.",
-    gapWide: "Maior que a rugosidade da borda e da mesa, 1 a 10 µm.",
+      "Não maior que a irregularidade da borda e da mesa, 0,1 a 0,4 mm: elas podem se tocar em vários pontos.",
+    gapWide: "Maior que a irregularidade da borda e da mesa, 0,1 a 0,4 mm.",
     speed: "Ponto de contato ao longo da borda",
     speedBeyond:
       "Mais rápido que o som em aço, alumínio ou vidro, 5 a 6 km/s: borda e mesa não conseguem ceder a tempo.",
@@ -548,8 +548,7 @@ export const pt: Table = {
       `O som precisa de ${sound} para atravessar a base: o corpo se move como uma só peça.`,
     force: "Maior força sobre a mesa",
     timesWeight: (ratio: string) => `${ratio} × o peso`,
-    yields: "Em um ponto: uma borda e uma mesa reais cedem ali, e o corpo vibra.",
-    bears: "Em um ponto de uma borda que não cede.",
+    atOnePoint: "Em um ponto da borda. Se ela amassa ali depende do peso, do material e da aresta.",
     losses: "Energia perdida neste percurso",
     lossless:
       "Uma lata real perde energia em cada percurso, por som, ar e flexão, e logo para. “Resistência ao rolamento” é uma dessas perdas.",

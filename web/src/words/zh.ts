@@ -431,25 +431,25 @@ export const zh: Table = {
 
   limits: {
     title: "这个模型忽略了什么",
-    roughness: "底缘和桌面的粗糙度",
-    roughnesses: {
-      polished: "0.1 µm，抛光",
-      smooth: "1 µm，光滑",
-      turned: "3 µm，车削或拉制",
-      rough: "10 µm，粗糙",
-      coarse: "100 µm，很粗",
+    unevenness: "底缘和桌面的不平度",
+    unevennesses: {
+      ground: "0.02 mm，磨削",
+      fine: "0.1 mm，精",
+      medium: "0.2 mm，中等",
+      coarse: "0.4 mm，粗",
+      dented: "1 mm，有凹痕",
     },
     touches: (time: string, angle: string, whole: string) =>
-      `在这样的粗糙度下，它们在 ${time} 内有多点接触。其间接触点绕行 ${whole} 中的 ${angle}；这一部分取决于它们的不平整。`,
-    touchesOnce: "缝隙始终大于这个粗糙度，所以底缘和桌面一直只在一点接触。",
+      `在这样的不平度下，它们在 ${time} 内有多点接触。其间接触点绕行 ${whole} 中的 ${angle}；这一部分取决于两者的形状。`,
+    touchesOnce: "缝隙始终大于这个不平度，所以底缘和桌面一直只在一点接触。",
     intro: "这里的物体和桌面是完全刚性且光滑的，底缘是完美的圆，也没有空气。在所示的这次绕行中：",
     none: "这个物体没有落下，所以没有可比较的。",
     trust:
       "如果一个数超出了真实物体的可能，就不要相信缝隙和速度。可以相信角度，它几乎不受缝隙大小的影响。手的侧向误差约为 0.02 rad/s。",
     gap: "底缘下的最小缝隙",
-    gapTiny: "小于任何底缘和桌面的粗糙度（1 到 10 µm）：它们在多点接触。",
-    gapSmall: "不大于底缘和桌面的粗糙度（1 到 10 µm）：它们可能在多点接触。",
-    gapWide: "大于底缘和桌面的粗糙度（1 到 10 µm）。",
+    gapTiny: "小于任何底缘和桌面的不平度（0.1 到 0.4 mm）：它们在多点接触。",
+    gapSmall: "不大于底缘和桌面的不平度（0.1 到 0.4 mm）：它们可能在多点接触。",
+    gapWide: "大于底缘和桌面的不平度（0.1 到 0.4 mm）。",
     speed: "接触点沿底缘的速度",
     speedBeyond: "快于钢、铝或玻璃中的声速（5 到 6 km/s）：底缘和桌面来不及给它让路。",
     speedNear: "比钢、铝或玻璃中的声速（5 到 6 km/s）慢不了多少。",
@@ -460,8 +460,7 @@ export const zh: Table = {
     isRigid: (sound: string) => `声音穿过底面需要 ${sound}：物体作为一个整体运动。`,
     force: "对桌面的最大力",
     timesWeight: (ratio: string) => `重量的 ${ratio} 倍`,
-    yields: "作用在一点：真实的底缘和桌面会在那里屈服，物体会振动。",
-    bears: "作用在不屈服的底缘的一点。",
+    atOnePoint: "作用在底缘的一点。那里会不会被压出凹痕，取决于重量、材料和边缘。",
     losses: "这次绕行中损失的能量",
     lossless:
       "真实的罐子每次绕行都会因声音、空气和弯曲损失能量，很快就静止。“滚动阻力”就是这样一种损失。",

@@ -296,21 +296,22 @@ describe("a step of the story", () => {
 test("what the model leaves out is compared with the motion shown", async () => {
   await visited("body=can_2007", async ({ page }) => {
     const limits = page.getByRole("region", { name: "What this model leaves out" });
-    expect(await limits.locator(".exceeded").count()).toBe(5);
-    expect(await limits.innerText()).toMatch(/3\.5\sµm\s+No larger than the roughness/);
+    expect(await limits.locator(".exceeded").count()).toBe(4);
+    expect(await limits.innerText()).toMatch(/3\.5\sµm\s+Smaller than the unevenness of any rim/);
     await page.locator("#sideways-field").fill("0.1");
     await page.locator("#sideways-field").press("Enter");
-    await limits.getByText("Larger than the roughness of rim and table").waitFor();
+    await limits.getByText("Larger than the unevenness of rim and table").waitFor();
     expect(await limits.locator(".exceeded").count()).toBe(1);
   });
 });
 
-test("the lab opens with a can that is within the limits; losses and roughness can be chosen", async () => {
+test("the lab opens with a can that is within the limits of a fine rim; losses and unevenness can be chosen", async () => {
   await visited("", async ({ page }) => {
     const limits = page.getByRole("region", { name: "What this model leaves out" });
-    expect(await limits.locator(".exceeded").count()).toBe(0);
-    await limits.getByText("The gap stays wider than this roughness").waitFor();
-    await page.getByLabel("Roughness of rim and table").selectOption("coarse");
+    expect(await limits.locator(".exceeded").count()).toBe(1);
+    await limits.getByText("No larger than the unevenness of rim and table").waitFor();
+    await limits.getByText("The gap stays wider than this unevenness").waitFor();
+    await page.getByLabel("Unevenness of rim and table").selectOption("coarse");
     await expectValues(page, { "#rolling-field": "0.0001" });
     await page.getByText("More", { exact: true }).click();
     await page.getByRole("button", { name: "Rolling resistance: none, 0" }).click();

@@ -29,12 +29,12 @@ const exceeded = (numbers: Validity) =>
     .filter((limit) => limit.exceeded)
     .map(({ name }) => name);
 
-test("a can that comes down nearly flat is beyond any real can, in every respect", () => {
+test("a can that comes down nearly flat is beyond any real can, in every respect that has a limit", () => {
   const { numbers } = of({});
   expect(numbers.gap * 1e6).toBeCloseTo(3.5, 1);
   expect(numbers.contactSpeed).toBeGreaterThan(7000);
   expect(numbers.soundTime * 1e6).toBeCloseTo(20.4, 1); // 10.2 cm at 5 km/s
-  expect(exceeded(numbers).length).toBe(5);
+  expect(exceeded(numbers).length).toBe(4);
 });
 
 test("one that a hand lets go is within the limits but for its losses", () => {
@@ -42,37 +42,40 @@ test("one that a hand lets go is within the limits but for its losses", () => {
   expect(exceeded(numbers)).toEqual(["Energy lost in this turn"]);
 });
 
-test("the can that the lab opens with is within all limits", () => {
+test("the can that the lab opens with is within all limits if rim and table are fine", () => {
   const { numbers } = of(BY_HAND);
-  expect(exceeded(numbers)).toEqual([]);
+  expect(exceeded(numbers)).toEqual(["Smallest gap under the rim"]);
+  const [fine, coarse] = numbers.unevenness;
+  expect(numbers.gap).toBeGreaterThan(fine);
+  expect(numbers.gap).toBeLessThan(coarse);
   expect(numbers.lossRatio).toBeCloseTo(0.05, 2);
 });
 
-describe("a base that is nearer to the table than their roughness", () => {
+describe("a base that is nearer to the table than their unevenness", () => {
   const RADIUS = 0.0509; // m, about that of the paper's can
 
   test("is so between two crossings of a tilt", () => {
     const { motion, passage } = of({ sideways: 0.02 });
     const [turn] = motion.turns;
-    const roughness = 3e-4;
+    const unevenness = 3e-4;
     const tiltAt = (time: number) => motion.at([time]).moment(0).tilt;
     const crossing = (low: number, high: number, falls: boolean) => {
       for (let k = 0; k < 60; k++) {
         const middle = (low + high) / 2;
-        if (tiltAt(middle) > roughness / (2 * RADIUS) === falls) low = middle;
+        if (tiltAt(middle) > unevenness / (2 * RADIUS) === falls) low = middle;
         else high = middle;
       }
       return low;
     };
     const [from, to] = [crossing(0, turn!.t, true), crossing(turn!.t, turn!.end, false)];
     const yawAt = (time: number) => motion.at([time]).moment(0).yaw;
-    const near = touching(motion, passage, RADIUS, roughness)!;
+    const near = touching(motion, passage, RADIUS, unevenness)!;
     expect(near.time / (to - from)).toBeCloseTo(1, 2);
     expect(near.angle / Math.abs(yawAt(to) - yawAt(from))).toBeCloseTo(1, 2);
     expect(near.angle).toBeLessThan(Math.abs(turn!.angle));
   });
 
-  test("is so for the whole turn if the roughness is coarse, and never if it is fine", () => {
+  test("is so for the whole turn if the unevenness is coarse, and never if it is fine", () => {
     const { motion, passage } = of({ sideways: 0.02 });
     const near = touching(motion, passage, RADIUS, 1)!;
     expect(near.time).toBeCloseTo(passage.end - passage.start, 6);

@@ -1,12 +1,14 @@
 //! One fall: a motion through its first turn, of which only the outcome is kept.
 
+use super::Motion;
 use super::contacts::Contacts;
-use super::event::EventKind;
+use super::event::{Event, EventKind};
 use super::event_detector::Goal;
 use super::instant::Phase;
 use super::options::Options;
 use super::outcome::{Outcome, TiltHistory};
 use super::run::Run;
+use super::trajectory::Trajectory;
 use super::turns::{Turn, end_of_first_turn, first_turn};
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
@@ -118,6 +120,29 @@ impl Fall {
     }
 }
 
+/// Whether the first turn of a motion is complete, and the coordinates at its end: the tilt maximum, the toppling or the
+/// end of the motion, whichever comes first.
+fn end_of_fall(trajectory: &Trajectory, events: &[Event]) -> (bool, Coordinates<f64>) {
+    let topple = events.iter().find(|event| event.kind == EventKind::Topple);
+    let turned = end_of_first_turn(trajectory.start().cos > 0.0, events);
+    let over = turned.or_else(|| topple.map(|event| event.at.u));
+    (turned.is_some(), over.unwrap_or_else(|| trajectory.end().u))
+}
+
+impl Motion {
+    /// The turn of [`fall`] from the same start: the first of the turns or, in a motion that ends before its first turn
+    /// does, the turn up to that ending. `None` for a body that does not come down, and where the time or the steps ran
+    /// out first.
+    pub fn first_turn(&self) -> Option<Turn> {
+        let (turned, end) = end_of_fall(&self.trajectory, &self.events);
+        let ran_out = matches!(
+            self.status,
+            Status::Finished | Status::Failed | Status::Interrupted
+        );
+        first_turn(&self.trajectory.start(), &self.events, &end).filter(|_| turned || !ran_out)
+    }
+}
+
 /// Simulates a body from a start through its first turn, at most for the duration in `options`.
 ///
 /// # Errors
@@ -140,13 +165,10 @@ pub fn fall(
         let later = events.iter().any(|event| event.kind == first_event);
         trajectory.start().phase == phase || later
     };
-    let topple = events.iter().find(|event| event.kind == EventKind::Topple);
-    let turned = end_of_first_turn(start.cos > 0.0, &events);
-    let over = turned.or_else(|| topple.map(|event| event.at.u));
-    let end = over.unwrap_or_else(|| trajectory.end().u);
+    let (turned, end) = end_of_fall(&trajectory, &events);
     let record = FallRecord {
         turn: first_turn(&start, &events, &end),
-        turned: turned.is_some(),
+        turned,
         slid: occurred(Phase::Sliding, EventKind::Slip),
         flew: occurred(Phase::Flying, EventKind::LiftOff),
         steps: work.steps,

@@ -1,4 +1,4 @@
-// The choice of a roughness, and what it means for the turn that is shown.
+// The choice of an unevenness, and what it means for the turn that is shown.
 
 import { type ReadonlySignal, effect, signal } from "@preact/signals-core";
 import { element } from "../elements";
@@ -9,30 +9,31 @@ import type { Passage } from "../verdict/passage";
 import { words } from "../words/words";
 import { touching } from "./touching";
 
-/** Heights of roughness, m. */
-const HEIGHTS = { polished: 1e-7, smooth: 1e-6, turned: 3e-6, rough: 1e-5, coarse: 1e-4 } as const;
-type Roughness = keyof typeof HEIGHTS;
+/** Heights of unevenness, m: a ground face, the general tolerances H, K and L for the flatness of faces 30 to 100 mm across
+ * (ISO 2768-2), and a dent. */
+const HEIGHTS = { ground: 2e-5, fine: 1e-4, medium: 2e-4, coarse: 4e-4, dented: 1e-3 } as const;
+type Unevenness = keyof typeof HEIGHTS;
 
-export function roughnessChoice(
+export function unevennessChoice(
   lab: Lab,
   passage: ReadonlySignal<Passage | undefined>,
 ): HTMLElement {
-  const chosen = signal<Roughness>("turned");
-  const { roughness, roughnesses } = words.limits;
+  const chosen = signal<Unevenness>("fine");
+  const { unevenness, unevennesses } = words.limits;
   const select = element(
     "select",
-    { id: "roughness" },
+    { id: "unevenness" },
     ...Object.keys(HEIGHTS).map((name) =>
-      element("option", { value: name }, roughnesses[name as Roughness]),
+      element("option", { value: name }, unevennesses[name as Unevenness]),
     ),
   );
   select.value = chosen.value;
-  select.addEventListener("change", () => (chosen.value = select.value as Roughness));
+  select.addEventListener("change", () => (chosen.value = select.value as Unevenness));
   const means = element("p", { class: "means", role: "status" });
   const place = element(
     "div",
-    { class: "roughness" },
-    element("label", { for: select.id }, roughness),
+    { class: "unevenness" },
+    element("label", { for: select.id }, unevenness),
     select,
     means,
   );
