@@ -13,6 +13,7 @@ from rimroll.body import Body
 from rimroll.errors import RimrollError
 from rimroll.given import Number, number
 from rimroll.names import choose
+from rimroll.solids import filling
 
 
 def can_2007() -> Body:
@@ -30,9 +31,11 @@ def soda_can(fill: Number = 0.0) -> Body:
 
     Derived from nominal sizes: body 66 mm across, 115 mm high, wall 0.10 mm; base 0.30 mm at 5 mm
     over a rim 48 mm across; lid 0.25 mm, 52 mm across; aluminium 2700 kg/m³: 10.6 g empty. The
-    drink is frozen water, 97 mm deep when full.
+    drink is water, 97 mm deep when full. In motions it is frozen; see
+    :func:`rimroll.balance_tilt` for the balance of the liquid.
     """
-    return Body(*_core.preset_soda_can(_part(fill)))
+    part = _part(fill)
+    return _filled(Body(*_core.preset_soda_can(part)), 0.033, 0.097 * part, 0.005, 0.110)
 
 
 def beer_bottle(fill: Number = 0.0) -> Body:
@@ -40,9 +43,11 @@ def beer_bottle(fill: Number = 0.0) -> Body:
 
     Derived from nominal sizes: body 61 mm across and 130 mm high, wall 2.2 mm; shoulder and neck as
     a wall 100 mm long, 30 mm across, 2.8 mm thick; base 6 mm on a rim 52 mm across; glass
-    2500 kg/m³: 0.23 kg empty. The beer is frozen water.
+    2500 kg/m³: 0.23 kg empty. The beer is water. In motions it is frozen; see
+    :func:`rimroll.balance_tilt` for the balance of the liquid, which stays below the shoulder.
     """
-    return Body(*_core.preset_beer_bottle(_part(fill)))
+    part = _part(fill)
+    return _filled(Body(*_core.preset_beer_bottle(part)), 0.0283, 0.124 * part, 0.006, 0.124)
 
 
 def coin() -> Body:
@@ -84,6 +89,11 @@ def cylinder(radius: Number, length: Number) -> Body:
     """A uniform solid cylinder (m) with the density of water: H = L/2, A = m(R²/4 + L²/12)."""
     radius, length = number("radius", radius, "m"), number("length", length, "m")
     return Body(*_core.preset_cylinder(radius, length))
+
+
+def _filled(body: Body, radius: float, depth: float, base: float, length: float) -> Body:
+    """A body that contains this depth of water in a round vessel (m)."""
+    return body.with_filling(filling(1000.0, radius, depth, base, length)) if depth else body
 
 
 def _part(fill: Number) -> float:

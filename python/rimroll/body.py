@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -14,7 +14,7 @@ from rimroll.errors import RimrollError, element, expect
 from rimroll.given import Number, Values, number, values
 from rimroll.grid import Grid, key, same
 from rimroll.recorded import expect_dataset, recorded
-from rimroll.solids import Solid
+from rimroll.solids import Filling, Solid
 from rimroll.units import UNIT_OF
 
 if TYPE_CHECKING:
@@ -102,6 +102,23 @@ class Body:
         """The shape that the fields broadcast to; () for one body."""
         return Grid.over({field.name: getattr(self, field.name) for field in fields(self)}).shape
 
+    @property
+    def filling(self) -> Filling | None:
+        """The filling of a body that was made with one, else None.
+
+        It comes from a preset or from one :func:`rimroll.solids.filling` among solids. The five
+        numbers of the body contain it as if it were frozen, and so it is in every motion. Only
+        :func:`rimroll.balance_tilt` can take it as liquid.
+        """
+        filling: Filling | None = self.__dict__.get("_filling")
+        return filling
+
+    def with_filling(self, filling: Filling | None) -> Body:
+        """The same body, which knows that its numbers contain this filling, frozen."""
+        body = replace(self)
+        object.__setattr__(body, "_filling", filling)
+        return body
+
     @classmethod
     def stack(cls, bodies: Iterable[Body] | Mapping[str, Body], dim: str = "body") -> Body:
         """Several single bodies as one Body of arrays (n,).
@@ -147,7 +164,9 @@ class Body:
 
         Raises ``RimrollError`` for no solids, or solids that make up no valid body.
         """
-        return cls(*_core.body_from_solids(number("radius", radius, "m"), list(solids)))
+        body = cls(*_core.body_from_solids(number("radius", radius, "m"), list(solids)))
+        fillings = [solid for solid in solids if isinstance(solid, Filling)]
+        return body.with_filling(fillings[0]) if len(fillings) == 1 else body
 
 
 def body_of(record: Record) -> Body:

@@ -71,6 +71,11 @@ def body_in_html(body: Body) -> str | None:
     )
     derived = (
         ("balances at", _degrees(balance_tilt(body))),
+        *(
+            [("with its filling liquid", _degrees(balance_tilt(body, liquid=True)))]
+            if body.filling
+            else []
+        ),
         ("turns without slip", _degrees(turn_limit(body, NoSlip()))),
         ("turns without friction", _degrees(turn_limit(body, Frictionless()))),
         ("friction needed to roll", f"{needed_friction(body):.3f}"),

@@ -30,10 +30,24 @@ class Solid:
     axial_inertia: float
 
     def __post_init__(self) -> None:
-        for field in fields(self):
+        for field in fields(Solid):
             value = number(field.name, getattr(self, field.name), UNIT_OF[field.name])
             object.__setattr__(self, field.name, value)
         _core.check_solid(self)
+
+
+@dataclass(frozen=True)
+class Filling(Solid):
+    """What fills a round vessel, from :func:`filling`: as a solid it is frozen.
+
+    Its sizes, in m, say how it lies when it is liquid: see :func:`rimroll.balance_tilt`.
+    """
+
+    radius: float
+    depth: float
+    base: float
+    length: float
+    """From the floor of the vessel to its lid; infinite for a vessel that never overflows."""
 
 
 def _made(solid: Callable[..., tuple[float, float, float, float]], **sizes: object) -> Solid:
@@ -92,9 +106,23 @@ def box(
     return cylinder(mass, math.hypot(*sides.values()) / math.sqrt(6.0), length, base)
 
 
-def filling(density: Number, radius: Number, depth: Number, base: Number = 0.0) -> Solid:
+def filling(
+    density: Number,
+    radius: Number,
+    depth: Number,
+    base: Number = 0.0,
+    length: Number | None = None,
+) -> Filling:
     """A filling of a density (kg/m³), moving with the body as if frozen.
 
-    A real liquid takes less part in the turning than this.
+    A real liquid takes less part in the turning than this, and its surface stays level: see
+    :func:`rimroll.balance_tilt`. ``length`` is the distance from its floor to a lid; without it the
+    vessel never overflows.
     """
-    return _made(_core.filling, density=density, radius=radius, depth=depth, base=base)
+    solid = _made(_core.filling, density=density, radius=radius, depth=depth, base=base)
+    sizes = {"radius": radius, "depth": depth, "base": base}
+    read = {name: number(name, size, "m") for name, size in sizes.items()}
+    lid = math.inf if length is None else number("length", length, "m")
+    if not lid >= read["depth"]:
+        raise RimrollError(f"length must be at least the depth, {read['depth']:g} m, got {lid:g} m")
+    return Filling(**vars(solid), **read, length=lid)

@@ -205,10 +205,26 @@ def error_law_coefficient(
     )
 
 
-def balance_tilt(body: Body) -> Any:
-    """Tilt at which the centre of mass is over the rim, rad: arctan(R/H); π/2 for a disk."""
+def balance_tilt(body: Body, *, liquid: bool = False) -> Any:
+    """Tilt at which the centre of mass is over the rim, rad: arctan(R/H); π/2 for a disk.
+
+    A filling counts as frozen, as it is in motions. With ``liquid`` its surface is level while the
+    body is held still: a single body with a :attr:`rimroll.Body.filling` then balances at a smaller
+    tilt. The surface may cut the floor of the round vessel, its lid, or both.
+
+    >>> from rimroll import bodies
+    >>> can = bodies.soda_can(fill=0.3)
+    >>> print([round(math.degrees(balance_tilt(can, liquid=is_liquid)), 3) for is_liquid in (0, 1)])
+    [46.667, 35.788]
+
+    Raises ``RimrollError`` for ``liquid`` with a body that has no filling.
+    """
     expect("body", body, Body)
-    return elementwise(_core.balance_tilt, body)
+    if not liquid:
+        return elementwise(_core.balance_tilt, body)
+    from rimroll.liquid import liquid_balance
+
+    return liquid_balance(body)
 
 
 def lift_off_rate(body: Body, gravity: Values = _core.STANDARD_GRAVITY) -> Any:

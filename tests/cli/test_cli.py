@@ -357,6 +357,9 @@ def test_options_replace_what_a_scenario_file_says(stdout_of):
 
 def test_a_motion_that_topples_or_meets_the_table_flat_says_so(stdout_of):
     assert "toppled" in stdout_of("simulate --tilt 40deg --yaw-rate 1")
+    # The paper's experiment: the can is flicked over.
+    text = stdout_of("turn --tilt 20deg --tilt-rate -5rad/s --yaw-rate 0.01 --law no-slip")
+    assert "toppled" in text and "202.421°" in text and "up to the end of the motion" in text
     assert "face down" in stdout_of("simulate --tilt 30deg")
     assert json.loads(stdout_of("simulate --tilt 30deg --json"))["status"] == "face_down"
 

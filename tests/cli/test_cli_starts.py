@@ -68,6 +68,17 @@ def test_a_start_past_the_balance_tilt_is_reported_in_degrees(stdout_of, command
     )
 
 
+def test_the_filling_of_a_body_is_said_to_be_frozen(stdout_of):
+    text = stdout_of("turn soda_can --fill 30%")
+    assert "its filling counts as frozen" in text
+    assert re.search("balance tilt, filling frozen +46.667°", text)
+    assert re.search("balance tilt, filling liquid +35.788°", text)
+    answer = json.loads(stdout_of("turn soda_can --fill 30% --json"))
+    assert math.degrees(answer["liquid_balance_tilt"]) == pytest.approx(35.78816, abs=1e-5)
+    assert "frozen" in stdout_of("simulate soda_can --fill 30% --tilt 50deg")
+    assert "frozen" not in stdout_of("turn soda_can") + stdout_of("simulate soda_can --tilt 50deg")
+
+
 FALLS = str(Path(__file__).parents[2] / "examples" / "falls_of_the_paper.csv")
 PAST = "the start at 40° is past the balance tilt of this body, 24.95°"
 

@@ -37,10 +37,12 @@ def _past_balance(motion: Motion) -> str:
     if motion.status != "toppled" or min(tilt, _smallest_tilt(motion)) < balance:
         return ""
     rate = float(motion.start.tilt_rate)
+    frozen = " with its filling frozen," if motion.body.filling else ""
     too_slow = f" and {rate:.4g} rad/s is too slow to bring it back," if rate < 0.0 else ""
     return (
         f"the start at {math.degrees(tilt):.4g}° is past the balance tilt of this body,"
-        f" {math.degrees(balance):.4g}°,{too_slow} so it falls over; try --tilt {_below(balance)}"
+        f" {math.degrees(balance):.4g}°,{frozen}{too_slow} so it falls over;"
+        f" try --tilt {_below(balance)}"
     )
 
 

@@ -63,7 +63,12 @@ class MeasureOptions:
         ),
     ] = None
     balance_tilt: Annotated[
-        Text, _given("The tilt at which it stands poised on its rim.", "ANGLE", BALANCE)
+        Text,
+        _given(
+            "The tilt at which it stands poised on its rim, without a liquid in it.",
+            "ANGLE",
+            BALANCE,
+        ),
     ] = None
     swings: Annotated[
         Text,

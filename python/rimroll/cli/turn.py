@@ -170,6 +170,7 @@ def _answer(what: Request, limits: list[Limit], motions: dict[str, Motion]) -> d
         },
         "needed_friction": needed_friction(body),
         "balance_tilt": balance_tilt(body),
+        **({"liquid_balance_tilt": balance_tilt(body, liquid=True)} if body.filling else {}),
         "lift_off_rate": lift_off_rate(body, what.options.gravity),
         "gravity": what.options.gravity,
         "motions": {name: _turns(motion, of_law[name]) for name, motion in motions.items()},
@@ -185,6 +186,7 @@ def _turns(motion: Motion, limit: Limit) -> dict[str, Any]:
         "status": motion.status,
         "message": motion.message,
         "turns": turns,
+        "first_turn": None if motion.first_turn is None else asdict(motion.first_turn),
     }
 
 
@@ -197,7 +199,8 @@ def body_line(name: str, body: Body) -> str:
         f"A = {body.transverse_inertia:.4g} kg m²",
         f"C = {body.axial_inertia:.4g} kg m²",
     )
-    return f"{name}: {', '.join(map(unbroken, numbers))}"
+    frozen = "; its filling counts as frozen" if body.filling else ""
+    return f"{name}: {', '.join(map(unbroken, numbers))}{frozen}"
 
 
 def start_line(motion: Motion, nudged: bool = False) -> str:
@@ -234,7 +237,10 @@ def _show_limits(what: Request, limits: list[Limit]) -> None:
     say(angles)
     say()
     _named("friction needed to roll through", f"{needed_friction(body):.4g}")
-    _named("balance tilt", angle(balance_tilt(body)))
+    filled = body.filling is not None
+    _named("balance tilt, filling frozen" if filled else "balance tilt", angle(balance_tilt(body)))
+    if filled:
+        _named("balance tilt, filling liquid", angle(balance_tilt(body, liquid=True)))
     rate = lift_off_rate(body, what.options.gravity)
     faster = "arriving faster, it would need a pull from the table to roll on"
     known = f"{rate:.4g} rad/s ({faster})" if math.isfinite(rate) else "none: it never lifts off"
@@ -301,19 +307,26 @@ def _depends(law: Law, needed: float) -> str:
 
 
 def show_turns(motion: Motion) -> None:
-    """The ending of a motion and its first turns, with their limit if it applies to each."""
+    """The ending of a motion and its first turns, with their limit if it applies to each.
+
+    A body that falls over in its first turn shows this up to there.
+    """
     say()
     prose(f"{in_words(motion.law)}: {motion.message_in_degrees}")
     for hint in hints(motion, "--law coulomb --friction"):
         prose(hint)
-    if not motion.turns:
+    complete = motion.turns[:SHOWN]
+    shown = complete or [turn for turn in [motion.first_turn] if turn is not None]
+    if not shown:
         return
     limit = turn_limit(motion.body, motion.law) if has_one_limit(motion.law) else None
     beyond = [] if limit is None else ["beyond the limit"]
     turns = table("turn", "angle", *beyond, "smallest tilt", "at t")
-    for i, turn in enumerate(motion.turns[:SHOWN], 1):
+    for i, turn in enumerate(shown, 1):
         excess = [] if limit is None else [angle(abs(turn.angle) - limit)]
         turns.add_row(str(i), angle(turn.angle), *excess, angle(turn.min_tilt), f"{turn.t:.6f} s")
     say(turns)
+    if not complete:
+        say("up to the end of the motion, in its first turn")
     if len(motion.turns) > SHOWN:
         say(f"and {len(motion.turns) - SHOWN} more, which --json lists")

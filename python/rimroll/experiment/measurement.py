@@ -143,7 +143,8 @@ def measure(
         mass and the pivot lie within.
     balance_point, balance_tilt
         H, the distance from the base at which the body on its side balances across an edge; or the
-        tilt at which it balances on its rim.
+        tilt at which it balances on its rim. A liquid filling moves while the body is tipped: empty
+        it, or see :func:`rimroll.balance_tilt`.
     swings, swings_time, swing_period
         Number of swings, each there and back, and their total time; or the time of one swing. The
         body hangs from a point of the rim of its base and swings about the tangent there.

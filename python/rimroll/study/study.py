@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -299,7 +299,7 @@ def _as_json(name: str, value: Any) -> Any:
     """A value of Python in the form that TOML gives."""
     match value:
         case Body():
-            return {key: float(one) for key, one in vars(one_body(value, name)).items()}
+            return {key: float(one) for key, one in asdict(one_body(value, name)).items()}
         case Law():
             return _law_as_json(one_law(value))
         case State():
