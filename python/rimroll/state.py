@@ -10,13 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, hold
-from rimroll.given import Values, numbers, values
+from rimroll.given import Values, number, numbers, positive, values
 from rimroll.grid import Grid, is_labelled
 from rimroll.recorded import expect_dataset, not_recorded
 from rimroll.units import START_UNIT_OF, in_degrees_hint
 
 Array = NDArray[np.float64]
 Numbers = float | Array
+
+KNOCKED_TILT = 1e-15
+"""The tilt at which a body that stood begins to rock, rad, in the core, too."""
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -126,10 +129,25 @@ class State(Generic[FieldT]):
         return plain and 0.0 < self.tilt < math.pi  # type: ignore[return-value]
 
     @classmethod
-    def standing(cls, *, yaw: float | str = 0.0, spin: float | str = 0.0) -> State[float]:
-        """A body that stands flat on the table, at rest: a start on a table that moves."""
+    def standing(
+        cls, *, yaw: float | str = 0.0, spin: float | str = 0.0, tilt_rate: float | str = 0.0
+    ) -> State[float]:
+        """A body that stands flat on the table, at rest: a start on a table that moves.
+
+        With a tilt rate > 0 it has been knocked: it begins to rock about the point of its rim at
+        the azimuth yaw + π, on any table. Its tilt is then 1e-15 rad, because there is no tilt
+        rate at the tilt 0.
+        """
+        if number("tilt_rate", tilt_rate, "rad/s"):
+            rate = positive("tilt_rate", tilt_rate, "rad/s")
+            return State(tilt=KNOCKED_TILT, tilt_rate=rate, yaw=yaw, spin=spin)
         upright = State(tilt=1.0, yaw=yaw, spin=spin)
         return State.computed(**{**vars(upright), "tilt": 0.0})
+
+    @property
+    def is_knocked(self) -> bool:
+        """Whether a body that stood has been knocked: see :meth:`standing`."""
+        return self.shape == () and bool(self.tilt == KNOCKED_TILT)
 
     @staticmethod
     def computed(**numbers: StateT) -> State[StateT]:
@@ -202,7 +220,10 @@ def times(t: Values) -> NDArray[np.float64]:
 
 def _hint(tilt: float) -> str:
     if tilt == 0.0:
-        return "; for a body that stands flat on a table that moves give State.standing()"
+        return (
+            "; for a body that stands flat give State.standing(), on a table that moves or, as"
+            " State.standing(tilt_rate=...), with a knock"
+        )
     return in_degrees_hint(tilt) if tilt > math.pi else ""
 
 

@@ -364,6 +364,19 @@ def test_a_motion_that_topples_or_meets_the_table_flat_says_so(stdout_of):
     assert json.loads(stdout_of("simulate --tilt 30deg --json"))["status"] == "face_down"
 
 
+def test_a_body_that_stands_can_be_knocked(stdout_of):
+    text = stdout_of("simulate --tilt 0 --tilt-rate 3")
+    assert "standing, knocked to a tilt rate of 3 rad/s" in text and "did not overturn" in text
+    answer = json.loads(stdout_of("simulate --tilt 0 --tilt-rate 3 --json"))
+    shaken = json.loads(
+        stdout_of("shake --tilt-rate 3 --pulse sine --amplitude 0 --period 1s --json")
+    )
+    assert answer["status"] == shaken["status"] == "face_down"
+    assert answer["events"][0]["kind"] == "tilt_max"
+    tops = [one["events"][0]["state"]["tilt"] for one in (answer, shaken)]
+    assert tops[0] == pytest.approx(tops[1], rel=1e-8) and tops[0] > 0.1
+
+
 def test_a_solver_that_gives_up_is_exit_code_1(capsys):
     assert main(f"simulate {PAPER} --max-steps 5".split()) == 1
     assert "after 5 steps, the limit max_steps" in capsys.readouterr().out

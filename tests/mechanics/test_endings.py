@@ -4,9 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import rimroll as rr
 from given.motions import CAN, DISK, PAPER_START, by_law
+from given.strategies import bodies, examples
 
 
 def test_a_motion_is_finished_when_time_is_up(motion):
@@ -110,3 +113,29 @@ def test_simulate_follows_one_start_and_refuses_arrays(tilt):
     start = replace(PAPER_START, tilt=np.array(tilt))
     with pytest.raises(rr.RimrollError, match="one start, got arrays of shape"):
         rr.simulate(CAN, start, rr.NoSlip())
+
+
+@examples(40)
+@given(body=bodies(), part=st.floats(1e-3, 0.95), yaw=st.floats(-3.0, 3.0))
+def test_a_knock_tilts_a_body_as_far_as_its_energy_goes(body, part, yaw):
+    m, R, H, g = body.mass, body.radius, body.height, rr.STANDARD_GRAVITY
+    inertia = body.transverse_inertia + m * (R**2 + H**2)
+    rise = part * (np.hypot(R, H) - H)
+    knocked = rr.State.standing(tilt_rate=np.sqrt(2.0 * m * g * rise / inertia), yaw=yaw)
+    motion = rr.simulate(body, knocked, rr.NoSlip(), 20.0 * np.sqrt(R / g))
+    if motion.status == "lifted_off":
+        # A hard knock pulls a flat body off the table.
+        assert motion.normal_force[-1] == pytest.approx(0.0, abs=1e-6 * m * g)
+        return
+    assert motion.status == "face_down" and not motion.overturned
+    top = motion.max_tilt
+    assert R * np.sin(top) + H * np.cos(top) - H == pytest.approx(rise, rel=1e-8)
+    np.testing.assert_array_equal(motion.yaw, yaw)
+
+
+def test_a_knock_lifts():
+    assert rr.State.standing(tilt_rate="3 rad/s").is_knocked
+    with pytest.raises(rr.RimrollError, match="tilt_rate must be > 0 and finite, got -3"):
+        rr.State.standing(tilt_rate=-3.0)
+    with pytest.raises(rr.RimrollError, match=r"State.standing\(tilt_rate="):
+        rr.State(tilt=0.0, tilt_rate=3.0)

@@ -90,11 +90,12 @@ def requested(
     if of_file is not None:
         contact = replace(contact, resistances=of_file.resistances)
     given, begin = _given(start), scenario.start if scenario else None
-    is_nudged = needs_start and begin is None and ground is None
+    stands = given.get("tilt") == 0.0
+    is_nudged = needs_start and begin is None and ground is None and not stands
     if is_nudged:
         begin = _nudged(what, options.gravity, given)
-    if ground is not None and begin is None and not given.keys() - {"yaw"}:
-        begin = State.standing(**given)
+    if stands or (ground is not None and begin is None and "tilt" not in given):
+        begin = _standing(given, shaking is not None, ground is not None)
         given = {}
     return Request(
         body=what,
@@ -195,11 +196,40 @@ def _nudged(body: Body, gravity: float, given: dict[str, float]) -> State:
     return replace(start, yaw_rate=0.0, spin_rate=0.0) if pushed else start
 
 
+def _standing(given: dict[str, float], may_stand: bool, moves: bool) -> State:
+    """A body that stands flat, which a knock or a table that moves sets in motion."""
+    if not may_stand:
+        raise RimrollError(
+            "--tilt 0 is a body that stands, which rimroll simulate and shake can start; else give"
+            " a tilt, as --tilt 20deg"
+        )
+    for name, value in given.items():
+        if value and name not in ("yaw", "tilt_rate"):
+            raise RimrollError(
+                f"{option(name)} is for a body that leans: give a tilt, as --tilt 20deg; a body"
+                " that stands takes --tilt-rate, which is a knock"
+            )
+    rate = given.get("tilt_rate", 0.0)
+    if rate < 0.0:
+        raise RimrollError(
+            f"--tilt-rate must be > 0 for a body that stands, got {rate:g} rad/s: a knock lifts it"
+        )
+    if not rate and not moves:
+        raise RimrollError(
+            "--tilt 0 is a body that stands, and stays: give --tilt-rate, as a knock of 3rad/s, or"
+            " a tilt, as --tilt 20deg"
+        )
+    return State.standing(yaw=given.get("yaw", 0.0), tilt_rate=rate)
+
+
 def _start(given: dict[str, float], start: State | None) -> State | None:
     if start is not None:
         return replace(start, **given) if given else start
     if given and "tilt" not in given:
-        raise RimrollError("a start needs --tilt, for instance --tilt 30deg")
+        raise RimrollError(
+            "a start needs --tilt, for instance --tilt 30deg; at --tilt 0 a body stands, and"
+            " --tilt-rate is a knock"
+        )
     return State(**given) if given else None
 
 

@@ -49,6 +49,7 @@ def shake(
 
     The table moves as a record of an earthquake, or as a pulse.
     The body stands unless a start is given, and rolls without slip unless another law is given.
+    A --tilt-rate without a --tilt is a knock to a body that stands.
     A motion is followed until 10 s after the ground has come to rest, unless --duration is given.
     In files, times may repeat where the contact changes: once as before, once as after.
 
@@ -65,5 +66,8 @@ def shake(
     shaking = requested_shaking(ground, more, flat)
     what = requested(body, start, motion, law, resistances, shaking=shaking)
     if what.ground is None:
-        raise RimrollError("nothing says how the ground moves: give --record, --pulse or a file")
+        raise RimrollError(
+            "nothing says how the ground moves: give --record, --pulse or a file; on a table at"
+            " rest use rimroll simulate"
+        )
     return task.done(what)

@@ -81,6 +81,7 @@ def simulate(
     Numbers, pictures and films go to files on request.
     The body rolls without slip unless another law is given.
     Without a start the body is let go at half its balance tilt, pushed aside a little.
+    With --tilt 0 it stands, and --tilt-rate is a knock.
     In files, times may repeat where the contact changes: once as before, once as after.
 
     Examples:
@@ -92,6 +93,8 @@ def simulate(
     $ rimroll simulate soda_can --tilt 20deg --yaw-rate 1deg/s -o can.png
 
     $ rimroll simulate --friction 0.2 --tilt 30deg --yaw-rate 0.005
+
+    $ rimroll simulate --tilt 0 --tilt-rate 3rad/s
 
     $ rimroll simulate examples/can_2007.toml -o can.csv --every 1ms
     """
@@ -183,6 +186,8 @@ def _show(record: Record, files: list[Path]) -> None:
     prose(start_line(motion, record.request.nudged))
     if motion.ground is None:
         show_turns(motion)
+        if motion.start.is_knocked:
+            prose(shaken_in_words(motion), 0)
     else:
         _show_shaken(motion)
     if len(motion.phases) > 1:

@@ -213,6 +213,10 @@ def start_in_words(start: State, gravity: float, nudged: bool = False) -> str:
     gravity_in_words = unbroken(f"gravity {gravity:g} m/s²")
     if start.tilt == 0.0:
         return f"standing flat; {gravity_in_words}"
+    if start.is_knocked:
+        return (
+            f"standing, knocked to a tilt rate of {start.tilt_rate:.4g} rad/s; {gravity_in_words}"
+        )
     rates = ", ".join(
         f"{name} {getattr(start, f'{name}_rate'):.4g}" for name in ("tilt", "yaw", "spin")
     )

@@ -61,6 +61,8 @@ def shaken_in_words(motion: Motion) -> str:
 def _uplift_in_words(motion: Motion) -> str:
     if motion.uplift_time is not None:
         return f"The body was lifted at {motion.uplift_time:.6g} s."
+    if motion.start.is_knocked:
+        return "The body stood and was knocked."
     if motion.start.tilt > 0.0:
         return "The body leaned at the start."
     return "The body was never lifted."
