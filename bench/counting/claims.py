@@ -114,9 +114,16 @@ class Known:
         ]
         return cls(motion, t, spread, all(same) and float(spread[-1]) < CLOSE)
 
-    def finding(self, claim: str, other: rr.Motion, times: float = 1.0, **copy: float) -> Finding:
+    def finding(
+        self,
+        claim: str,
+        other: rr.Motion,
+        times: float = 1.0,
+        close: float = CLOSE,
+        **copy: float,
+    ) -> Finding:
         """Whether another motion is a copy of this one, ``times`` as far away as neighbours."""
-        allowed = CLOSE + 1e3 * times * self.spread
+        allowed = close + 1e3 * times * self.spread
         reached = copy.get("slower", 1.0) * self.t <= other.t[-1]
         apart = np.full(len(self.t), math.inf)
         apart[reached] = distance(self.motion, other, self.t[reached], **copy)
@@ -174,7 +181,8 @@ def copies(shaken: Shaken, known: Known, rng: np.random.Generator) -> Iterator[F
         yield known.finding("size", large.motion(), slower=large.slower)
     part = float(rng.uniform(0.2, 0.8)) * shaken.gravity
     lifted = replace(shaken, gravity=shaken.gravity - part, upward=part)
-    yield known.finding("gravity", lifted.motion())
+    # Gravity also decides when a wobble is so small that the body stands.
+    yield known.finding("gravity", lifted.motion(), close=1e-4)
 
 
 def vanishing(shaken: Shaken, known: Known, rng: np.random.Generator) -> Iterator[Finding]:

@@ -44,10 +44,12 @@ class Shaken:
         """The motion of the table."""
         signs = self.ground_scale * np.array([1.0, -1.0 if self.mirrored else 1.0, 1.0])
         kind, amplitude, time = self.pulse
-        ground: rr.Ground = getattr(rr.ground, kind)(signs * amplitude, self.slower * time)
         step, samples = self.record
+        ground: rr.Ground = getattr(rr.ground, kind)(signs * amplitude, self.slower * time)
         if len(samples):
-            ground += rr.ground.sampled(self.slower * step, samples * signs)
+            record = rr.ground.sampled(self.slower * step, samples * signs)
+            # A record alone has steps of its own.
+            ground = ground + record if amplitude.any() else record
         if self.upward:
             ground += rr.ground.rectangular((0.0, 0.0, self.upward), 2.0 * self.duration)
         return ground.rotated(self.turned) if self.turned else ground
