@@ -60,7 +60,7 @@ census: .venv/.extension ## compare both engines from 100 000 wild starts (ten m
 
 scorecard: .venv/.extension ## measure physics engines again, for docs/physics-engines.md (an hour)
 	.venv/bin/rimroll score rimroll mujoco pybullet rapier dart exudyn drake --install -o score/results
-	.venv/bin/rimroll score newton --install --dt 2e-3,1e-3,5e-4,2e-4 --no-checks --limit 300s -o score/results
+	.venv/bin/rimroll score newton --install --dt 2e-3,1e-3,5e-4,2e-4 --no-checks --time-limit 300s -o score/results
 	.venv/bin/python -m rimroll_score.search mujoco pybullet rapier dart exudyn drake -o score/results
 	.venv/bin/python -m rimroll_score.tables score/results docs/physics-engines.md
 

@@ -176,7 +176,8 @@ def test_numbers_whose_energy_would_be_infinite_are_refused():
 @pytest.mark.parametrize(
     "options, says",
     [
-        (["--limit", "-1 s"], "limit must be > 0"),
+        (["--time-limit", "-1 s"], "time-limit must be > 0"),
+        (["--limit", "-1 s"], "time-limit must be > 0"),
         (["--install", "--python", "python3"], "give either --install"),
         (["--dt", "0"], "dt must be between 1e-7 and 0.1 s, got 0"),
         (["--dt", "1e-3,often"], "dt"),

@@ -259,7 +259,7 @@ def test_a_map_without_falls_or_with_falls_all_round_is_drawn():
 def test_the_command_writes_the_map_that_the_api_computes(tmp_path, capsys):
     files = [tmp_path / f"map{suffix}" for suffix in (".nc", ".csv", ".png", ".json")]
     flick = ["--tilt", "20deg", "--tilt-rate", "-5rad/s", "--gravity", "9.8"]
-    plane = ["--yaw-rates", "-30..30deg/s", "--spin-rates", "-1..1", "--points", "4"]
+    plane = ["--yaw-rates", "-30..30deg/s", "--spin-rates", "-1..1", "--starts", "4"]
     output = [part for file in files for part in ("-o", str(file))]
     assert main(["map", *flick, *plane, *output, "--json"]) == 0
     answer = json.loads(capsys.readouterr().out)
@@ -283,7 +283,7 @@ def test_the_command_writes_the_map_that_the_api_computes(tmp_path, capsys):
 
 
 def test_the_command_flicks_any_body_over_and_says_where_left_and_right_part(capsys):
-    assert main(["map", "soda_can", "--points", "6"]) == 0
+    assert main(["map", "soda_can", "--starts", "6"]) == 0
     shown = capsys.readouterr().out
     assert re.search(r"to the left +18 ", shown) and re.search(r"to the right +18 ", shown)
     assert "left and right part where" in shown
@@ -296,7 +296,7 @@ def test_the_examples_in_the_help_of_the_command_work(tmp_path, capsys, monkeypa
     examples = [line.split("$ rimroll ")[1].split() for line in lines if "$ rimroll" in line]
     assert len(examples) == 3
     for example in examples:
-        assert main([*example, "--points", "4"]) == 0
+        assert main([*example, "--starts", "4"]) == 0
     assert {file.name for file in tmp_path.iterdir()} == {"left_or_right.svg", "near.nc"}
 
 
@@ -306,7 +306,7 @@ def test_the_examples_in_the_help_of_the_command_work(tmp_path, capsys, monkeypa
         ("--yaw-rates 3", "--yaw-rates must be a range such as -1..1"),
         ("--spin-rates 3..1", "--spin-rates must rise, got '3..1'"),
         ("--spin-rates -1..1m", "does not measure an angular rate"),
-        ("--points 1", "--points must be between 2 and 3000, got 1"),
+        ("--starts 1", "--starts must be between 2 and 3000, got 1"),
         ("--duration -1s", "duration must be > 0, got -1 s"),
         ("--rtol 0.5", "rtol must be between 1e-14 and 1e-3, got 0.5"),
         ("-o map.txt", "cannot write map.txt: its suffix must be one of .csv"),
@@ -372,14 +372,14 @@ def test_ctrl_c_leaves_the_rows_of_the_map_that_are_done(law, tmp_path, monkeypa
 
     monkeypatch.setattr("rimroll.cli.map.working", lambda _: contextlib.nullcontext(stop))
     monkeypatch.chdir(tmp_path)
-    assert main(["map", "--points", "1000", "-o", "some.nc"]) == 130
+    assert main(["map", "--starts", "1000", "-o", "some.nc"]) == 130
     assert re.search(r"interrupted after \d+ of 1000 spin rates", capsys.readouterr().out)
 
     def one_row(*_: object, **__: object) -> None:
         raise rr.Interrupted(rr.turn_map(CAN, FLICK, rr.NoSlip(), rates[:3], rates[:1]))
 
     monkeypatch.setattr("rimroll.cli.map.map_falls", one_row)
-    assert main(["map", "--points", "400", "-o", "none.nc"]) == 130
+    assert main(["map", "--starts", "400", "-o", "none.nc"]) == 130
     assert [file.name for file in tmp_path.iterdir()] == ["some.nc"]
 
 

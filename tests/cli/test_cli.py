@@ -70,7 +70,7 @@ def test_the_defaults_in_the_help_are_those_of_python(stdout_of, command, functi
 
 def test_a_map_and_falls_are_followed_with_the_options_of_python(stdout_of):
     """A scenario file, which is for one motion, gives neither duration nor accuracy."""
-    for command in ("map --friction 0.2 --points 2", "topple -n 2 --seed 1"):
+    for command in ("map --friction 0.2 --starts 2", "topple -n 2 --seed 1"):
         for file in ("", CAN):
             parameters = json.loads(stdout_of(f"{command} {file} --json"))["parameters"]
             assert (parameters["duration"], parameters["rtol"], parameters["max_steps"]) == (
@@ -103,10 +103,30 @@ def test_the_list_of_bodies_says_how_those_of_any_size_are_made(stdout_of):
     assert "soda_can [--fill PART]" in text
 
 
+@pytest.mark.parametrize("command", COMMANDS)
+def test_the_help_names_no_folder_that_only_the_repository_has(stdout_of, command):
+    assert "examples/" not in stdout_of(f"{command} --help")
+
+
+@pytest.mark.parametrize(
+    ("earlier", "now"),
+    [
+        ("map --points 3 --friction 0.2 --json", "map --starts 3 --friction 0.2 --json"),
+        ("map --points=3 --json", "map --starts=3 --json"),
+        (f"turn --scenario {CAN} --json", f"turn {CAN} --json"),
+    ],
+)
+def test_earlier_spellings_of_options_work_and_are_not_shown(stdout_of, earlier, now):
+    assert stdout_of(earlier) == stdout_of(now)
+    command, option = earlier.split()[:2]
+    assert option.partition("=")[0] not in stdout_of(f"{command} --help")
+
+
 @pytest.mark.slow
 def test_the_examples_in_the_help_work(stdout_of, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
-    Path("examples").symlink_to(Path(CAN).parent)
+    for file in Path(CAN).parent.iterdir():
+        Path(file.name).symlink_to(file)
     for command in ("turn", "simulate", "compare", "shake", "bodies"):
         lines = stdout_of(f"{command} --help").splitlines()
         examples = [line.split("$ rimroll ")[1] for line in lines if "$ rimroll" in line]
@@ -630,8 +650,8 @@ QUICK = {
     f"fit {FALLS}": "matplotlib jinja2 scipy.stats",
     "topple --friction 0.2 --json": "matplotlib jinja2 scipy",
     "topple -o falls.svg": "",
-    "map --points 4 --friction 0.2 -o map.csv": "matplotlib jinja2 scipy",
-    "map --points 4 -o map.svg": "jinja2",
+    "map --starts 4 --friction 0.2 -o map.csv": "matplotlib jinja2 scipy",
+    "map --starts 4 -o map.svg": "jinja2",
 }
 """Commands, and packages that they do not need, besides xarray and pandas."""
 

@@ -36,7 +36,7 @@ def script(before=""):
     ]
 
 
-@pytest.mark.parametrize("command", ["topple -n 20 --seed 1", START, "map --points 4"])
+@pytest.mark.parametrize("command", ["topple -n 20 --seed 1", START, "map --starts 4"])
 def test_a_table_is_one_block_and_its_comments_come_last(tmp_path, capsys, command):
     path = tmp_path / "table.csv"
     assert main([*command.split(), "-o", str(path)]) == 0
@@ -47,7 +47,7 @@ def test_a_table_is_one_block_and_its_comments_come_last(tmp_path, capsys, comma
     assert len(widths) == 1 and first > 2
 
 
-@pytest.mark.parametrize("command", ["topple -n 5 --seed 1", START, "map --points 3"])
+@pytest.mark.parametrize("command", ["topple -n 5 --seed 1", START, "map --starts 3"])
 def test_standard_output_gets_the_same_csv_and_nothing_else(tmp_path, capfdbinary, command):
     path = tmp_path / "table.csv"
     assert main([*command.split(), "-o", str(path)]) == 0
@@ -149,7 +149,7 @@ def test_a_thousand_may_be_typed_as_1e3(capsys):
     assert json.loads(capsys.readouterr().out)["number"] == 100
 
 
-@pytest.mark.parametrize("command", ["map --points 20", "map --points 10 --friction 0.2"])
+@pytest.mark.parametrize("command", ["map --starts 20", "map --starts 10 --friction 0.2"])
 def test_maps_are_the_same_for_any_number_of_threads(tmp_path, capsys, command):
     texts = set()
     for threads in ("1", "2"):

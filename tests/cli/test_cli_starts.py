@@ -83,7 +83,7 @@ FALLS = str(Path(__file__).parents[2] / "examples" / "falls_of_the_paper.csv")
 PAST = "the start at 40° is past the balance tilt of this body, 24.95°"
 
 
-@pytest.mark.parametrize("command", ["topple soda_can --seed 1", "map soda_can --points 4"])
+@pytest.mark.parametrize("command", ["topple soda_can --seed 1", "map soda_can --starts 4"])
 def test_many_falls_from_past_the_balance_tilt_are_reported(stdout_of, command):
     text = " ".join(stdout_of(f"{command} --tilt 40deg --tilt-rate -1").split())
     assert f"{PAST}, and -1 rad/s is too slow to bring it back, so it falls over" in text
@@ -96,7 +96,7 @@ def test_many_falls_from_past_the_balance_tilt_are_reported(stdout_of, command):
 @pytest.mark.parametrize(
     ("command", "name", "words"),
     [
-        ("map soda_can --tilt 40deg --points 4", "fell_back", "fell back"),
+        ("map soda_can --tilt 40deg --starts 4", "fell_back", "fell back"),
         ("topple soda_can --tilt 40deg --tilt-rate -0.1 -n 8 --seed 1", "fell_back", "2 fell back"),
         ("compare coin --tilt 60deg --on no-slip", "lifted_off", "lifted off"),
         ("simulate coin --tilt 60deg --yaw-rate 1deg/s", "lift_off", "1 lift off"),
@@ -134,7 +134,7 @@ def test_a_flick_back_over_the_balance_tilt_is_not_reported_to_fall_over(stdout_
         "simulate --tilt 30deg",
         "compare coin --tilt 60deg --on ice,no-slip,rubber",
         "topple --seed 1 --surface wood",
-        "map --points 4 --friction 0.2",
+        "map --starts 4 --friction 0.2",
         "measure --mass 70g --diameter 10.2cm --balance-point 6.9cm --swings 50 --swings-time 38s",
         "bodies",
     ],

@@ -20,7 +20,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 COLUMN = EXAMPLES / "column.toml"
 RECORD = [EXAMPLES / f"synthetic_{name}.at2" for name in ("000", "090", "up")]
 FEW = f"fragility {COLUMN} --synthetic 6 --soil-period 0.8s"
-SCALES = "--scales 3,4,5"
+SCALES = "--scale 3,4,5"
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +49,7 @@ def stations(tmp_path):
 
 
 def test_it_is_shake_many_and_fragility(stdout_of, column, records):
-    answer = json.loads(stdout_of(f"{FEW} --scales 2.2,2.6,3,3.5,4.5 --json"))
+    answer = json.loads(stdout_of(f"{FEW} --scale 2.2,2.6,3,3.5,4.5 --json"))
     factors = rr.axis("scale", [2.2, 2.6, 3.0, 3.5, 4.5])
     shaken = rr.shake_many(
         column, rr.State.standing(), rr.Coulomb(0.6), records, scale=factors, gravity=9.81,
@@ -70,18 +70,18 @@ def test_the_interval_rests_on_the_records_and_does_not_narrow_with_the_points(s
     study = f"fragility {COLUMN} --synthetic 12 --soil-period 0.8s --intensities 0.25g..0.6g"
     widths = {}
     for points in (10, 40):
-        curve = json.loads(stdout_of(f"{study} --points {points} --json"))["curve"]
+        curve = json.loads(stdout_of(f"{study} --levels {points} --json"))["curve"]
         assert (curve["method"], curve["records"]) == ("jackknife", 12)
         low, high = curve["median_interval"]
         widths[points] = np.log(high / low)
     # With independent motions it would be half as wide.
     assert widths[40] > 0.8 * widths[10]
-    assert "(jackknife over 12 records)" in stdout_of(f"{study} --points 10")
+    assert "(jackknife over 12 records)" in stdout_of(f"{study} --levels 10")
 
 
 def test_every_record_is_scaled_to_the_levels(stdout_of, tmp_path, records):
     file = tmp_path / "all.nc"
-    stdout_of(f"{FEW} --intensities 0.3g..0.5g --points 3 -o {file}")
+    stdout_of(f"{FEW} --intensities 0.3g..0.5g --levels 3 -o {file}")
     with xr.open_dataset(file) as stored:
         np.testing.assert_allclose(stored["pga"], rr.STANDARD_GRAVITY * np.array([0.3, 0.4, 0.5]))
         assert stored["overturned"].dims == ("ground", "pga")
@@ -136,10 +136,10 @@ def test_commas_join_the_files_of_a_record(stdout_of, stations):
 
 
 def test_the_ground_of_a_file_is_a_record(stdout_of):
-    answer = json.loads(stdout_of(f"fragility {COLUMN} --scales 1,1.4 --json"))
+    answer = json.loads(stdout_of(f"fragility {COLUMN} --scale 1,1.4 --json"))
     assert answer["records"]["column"]["pga"] == load(COLUMN).ground.peak.horizontal
     assert answer["curve"] is None and answer["why_no_curve"]
-    assert "no curve:" in stdout_of(f"fragility {COLUMN} --scales 1,1.4")
+    assert "no curve:" in stdout_of(f"fragility {COLUMN} --scale 1,1.4")
 
 
 def test_files_hold_all_motions_and_the_curve(stdout_of, tmp_path):
@@ -162,9 +162,9 @@ def test_files_hold_all_motions_and_the_curve(stdout_of, tmp_path):
 
 
 def test_motions_that_are_undecided_are_told_with_what_to_do(stdout_of):
-    text = stdout_of("fragility coin --synthetic 2 --scales 140,170")
+    text = stdout_of("fragility coin --synthetic 2 --scale 140,170")
     assert "undecided and left out" in text and "--friction 0.3" in text
-    flat = stdout_of(f"fragility {COLUMN} {RECORD[0]} --scales 1,2,3 --flat stop")
+    flat = stdout_of(f"fragility {COLUMN} {RECORD[0]} --scale 1,2,3 --flat stop")
     assert "3 of 3 motions are undecided and left out (3 " in flat
     assert "--flat housner" in flat
 
@@ -193,16 +193,17 @@ def test_ctrl_c_keeps_the_records_that_are_done(capsys, monkeypatch, tmp_path):
     ("arguments", "message"),
     [
         ("fragility", "nothing says how the ground moves"),
-        (f"{FEW} --scales 0..2", "--scales must be between 1e-6 and 1e6, got 0"),
-        (f"{FEW} --scales 1,2 --points 3", "--points is for a range"),
-        (f"{FEW} --scales 1,2 --intensities 1..2", "give one"),
+        (f"{FEW} --scale 0..2", "--scale must be between 1e-6 and 1e6, got 0"),
+        (f"{FEW} --scale 1,2 --levels 3", "--levels is for a range"),
+        (f"{FEW} --scales 1,2 --points 3", "--levels is for a range"),
+        (f"{FEW} --scale 1,2 --intensities 1..2", "give one"),
         (f"{FEW} --intensities 2..1", "--intensities must rise"),
         (f"{FEW} --intensities -1g..1g", "--intensities must be > 0"),
         (f"{FEW} --intensities 0.2g,0.2g", "has a number twice"),
         (f"{FEW} --intensities 0.2kg..1", "--intensities"),
         (f"{FEW} --measure pgd", "unknown measure 'pgd'"),
         (f"{FEW} --limit 1.5", "--limit must be above 0 and at most 1, got 1.5"),
-        (f"{FEW} --points 1", "must be between 2 and"),
+        (f"{FEW} --levels 1", "must be between 2 and"),
         (f"{FEW} --record {RECORD[0]}", "give one"),
         (f"{FEW} -o f.gif", "suffix must be one of"),
         (f"fragility {COLUMN} --soil-period 1s", "--soil-period needs --synthetic"),
@@ -211,7 +212,7 @@ def test_ctrl_c_keeps_the_records_that_are_done(capsys, monkeypatch, tmp_path):
         (f"fragility {COLUMN} {RECORD[2]}", "has no horizontal acceleration"),
         (f"fragility {COLUMN} {RECORD[2]} --measure pgv", "has no horizontal velocity"),
         (f"fragility {COLUMN} nosuch.at2", "cannot read nosuch.at2"),
-        ("fragility disk --radius 1m --synthetic 2", "give --intensities or --scales"),
+        ("fragility disk --radius 1m --synthetic 2", "give --intensities or --scale"),
     ],
 )
 def test_errors_are_one_line_that_names_the_option(error_of, arguments, message):
@@ -222,4 +223,4 @@ def test_errors_are_one_line_that_names_the_option(error_of, arguments, message)
 def test_no_warning_reaches_the_user(stdout_of):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        stdout_of("fragility coin --synthetic 2 --scales 140,170")
+        stdout_of("fragility coin --synthetic 2 --scale 140,170")

@@ -26,6 +26,14 @@ OTHER_NAMES = {
 The numbers of contact laws are not among them: their parameters name their options.
 """
 
+EARLIER = {
+    ("map", "--points"): "--starts",
+    ("fragility", "--points"): "--levels",
+    ("fragility", "--scales"): "--scale",
+    ("score", "--limit"): "--time-limit",
+}
+"""Earlier spellings of options by command, which help does not show, and what they are now."""
+
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 
@@ -75,6 +83,14 @@ def _converting(parameter: Any, is_text: bool) -> Callable[[Any, Any], Any]:
 
 class Command(Sparing, TyperCommand):
     """A command that says when it begins, and whose help has a section for each panel."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        words = (word.partition("=") for word in args)
+        renamed = [
+            EARLIER.get((self.name or "", name), name) + equals + value
+            for name, equals, value in words
+        ]
+        return super().parse_args(ctx, renamed)
 
     def invoke(self, ctx: Any) -> Any:
         ctx.find_root().obj()

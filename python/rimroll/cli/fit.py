@@ -149,7 +149,7 @@ def fit(
 
     $ rimroll fit angles.csv --body my_can.toml --tilt 20deg -o fit.svg
 
-    $ rimroll fit examples/falls_of_the_paper.csv --release paper --gravity 9.8
+    $ rimroll fit falls_of_the_paper.csv --release paper --gravity 9.8
     """
     files = output or []
     check(files, FORMS)

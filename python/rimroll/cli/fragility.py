@@ -137,7 +137,7 @@ def fragility(
 
     Examples:
 
-    $ rimroll fragility examples/column.toml --synthetic 20 -o fragility.svg
+    $ rimroll fragility column.toml --synthetic 20 -o fragility.svg
 
     $ rimroll fragility column.toml peer/*.AT2 --intensities 0.2g..1g -o all.csv
 

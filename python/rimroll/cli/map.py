@@ -76,7 +76,7 @@ class PlaneOptions:
     spin_rates: Annotated[
         str, typer.Option(help="From bottom to top.", metavar="RANGE", rich_help_panel="Start")
     ] = "-1..1"
-    points: Annotated[
+    starts: Annotated[
         int,
         typer.Option(
             parser=whole(),
@@ -133,14 +133,14 @@ def map(
 
     $ rimroll map --friction 0.15 --tilt 20deg --tilt-rate -5rad/s
 
-    $ rimroll map soda_can --yaw-rates -0.1..0.1 --points 50 -o near.nc
+    $ rimroll map soda_can --yaw-rates -0.1..0.1 --starts 50 -o near.nc
     """
     files = output or []
     check(files, FORMS, json)
-    if not 2 <= plane.points <= MAX_POINTS:
-        raise RimrollError(f"--points must be between 2 and {MAX_POINTS}, got {plane.points}")
-    yaw = rates(plane.yaw_rates, plane.points, "--yaw-rates")
-    spin = rates(plane.spin_rates, plane.points, "--spin-rates")
+    if not 2 <= plane.starts <= MAX_POINTS:
+        raise RimrollError(f"--starts must be between 2 and {MAX_POINTS}, got {plane.starts}")
+    yaw = rates(plane.yaw_rates, plane.starts, "--yaw-rates")
+    spin = rates(plane.spin_rates, plane.starts, "--spin-rates")
     start = StartOptions(tilt=plane.tilt, tilt_rate=plane.tilt_rate)
     what = requested(body, start, motion, law, resistances)
     options = options_of_falls(motion, what.options)

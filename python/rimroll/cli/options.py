@@ -57,8 +57,8 @@ class BodyOptions:
     body: Annotated[
         str | None,
         typer.Argument(
-            help="A name from rimroll bodies, or a scenario file (.toml); the paper's can,"
-            " can_2007, unless given.",
+            help="A name from rimroll bodies, or a scenario file (.toml) with body, start, law and"
+            " more, whose values options replace; the paper's can, can_2007, unless given.",
             metavar="BODY",
             show_default=False,
             autocompletion=completing(presets()),
@@ -66,11 +66,8 @@ class BodyOptions:
     ] = None
     scenario: Annotated[
         Path | None,
-        _option(
-            "Body, start, law and more from a file (TOML); options replace its values.",
-            "FILE",
-            "Body",
-        ),
+        # Earlier than a file as BODY.
+        typer.Option(hidden=True),
     ] = None
     fill: Annotated[
         str | None, _option("How full soda_can or beer_bottle is: 0.5 or 50%.", "PART", "Body")

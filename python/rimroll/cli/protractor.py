@@ -48,7 +48,7 @@ def protractor(
 
     $ rimroll protractor soda_can --paper letter -o soda_can.pdf
 
-    $ rimroll protractor examples/my_cup.toml
+    $ rimroll protractor my_cup.toml
     """
     check([output], FORMS)
     what = requested(body, StartOptions(), MotionOptions(), LawOptions(), ResistanceOptions())

@@ -81,7 +81,7 @@ class IntensityOptions:
             rich_help_panel="Intensity",
         ),
     ] = None
-    scales: Annotated[
+    scale: Annotated[
         str | None,
         typer.Option(
             help="Factors on the records as they are, in place of levels: 0.5..3, or 1,2,4.",
@@ -89,7 +89,7 @@ class IntensityOptions:
             rich_help_panel="Intensity",
         ),
     ] = None
-    points: Annotated[
+    levels: Annotated[
         int | None,
         typer.Option(
             parser=whole(2, MAX_LEVELS),
@@ -163,20 +163,20 @@ class Levels:
 def requested_levels(options: IntensityOptions) -> Levels:
     """The levels that options describe; ``RimrollError`` naming the option that is at fault."""
     measure = choose("measure", options.measure, MEASURES)
-    if options.intensities is not None and options.scales is not None:
-        raise RimrollError("--intensities and --scales both say how strong: give one")
-    points = options.points or 10
-    if options.scales is not None:
-        factors = _values(options.scales, "1", "--scales", "0.5..3 or 1,2,4", options.points)
+    if options.intensities is not None and options.scale is not None:
+        raise RimrollError("--intensities and --scale both say how strong: give one")
+    points = options.levels or 10
+    if options.scale is not None:
+        factors = _values(options.scale, "1", "--scale", "0.5..3 or 1,2,4", options.levels)
         outside = factors[(factors < 1.0 / MAX_FACTOR) | (factors > MAX_FACTOR)]
         if outside.size:
-            raise RimrollError(f"--scales must be between 1e-6 and 1e6, got {outside[0]:g}")
+            raise RimrollError(f"--scale must be between 1e-6 and 1e6, got {outside[0]:g}")
         return Levels(measure, True, factors, len(factors))
     if options.intensities is None:
         return Levels(measure, False, None, points)
     examples = "0.2g..1g or 0.2g,0.4g" if measure.name == "pga" else "0.2..1m/s or 20cm/s,40cm/s"
     option, unit = "--intensities", measure.unit
-    levels = _values(options.intensities, unit, option, examples, options.points)
+    levels = _values(options.intensities, unit, option, examples, options.levels)
     if not (levels > 0.0).all():
         raise RimrollError(f"{option} must be > 0, got {levels.min():g} {unit}")
     return Levels(measure, False, levels, len(levels))
@@ -187,7 +187,7 @@ def _values(text: str, unit: str, option: str, examples: str, points: int | None
     if ".." in text:
         return np.linspace(*ends(text, unit, option, examples), points or 10)
     if points is not None:
-        raise RimrollError(f"--points is for a range such as {examples.split(' or ')[0]}")
+        raise RimrollError(f"--levels is for a range such as {examples.split(' or ')[0]}")
     values = np.array([quantity(part, unit, option) for part in text.split(",")])
     if not np.isfinite(values).all():
         raise RimrollError(f"{option} must be finite, got {text!r}")

@@ -57,9 +57,9 @@ def shake(
 
     $ rimroll shake --pulse sine --amplitude 0.9g --period 0.3s --flat housner
 
-    $ rimroll shake examples/column.toml --scale 1.5 -o column.svg
+    $ rimroll shake column.toml --scale 1.5 -o column.svg
 
-    $ rimroll shake examples/column.toml --friction 0.3 --json
+    $ rimroll shake column.toml --friction 0.3 --json
     """
     task = Output.checked(output, points, every, json)
     body, more = body_and_records(body, files or ())

@@ -96,7 +96,7 @@ def simulate(
 
     $ rimroll simulate --tilt 0 --tilt-rate 3rad/s
 
-    $ rimroll simulate examples/can_2007.toml -o can.csv --every 1ms
+    $ rimroll simulate can_2007.toml -o can.csv --every 1ms
     """
     task = Output.checked(output, points, every, json)
     no_tilt = start.tilt is None

@@ -1,7 +1,7 @@
 """Scenario files: a body, a start, a law, a ground and the options of a motion, in TOML.
 
-Numbers are SI and radians; texts carry their unit. See ``examples/`` for files that explain
-themselves.
+Numbers are SI and radians; texts carry their unit. The folder ``examples`` of the repository has
+files that explain themselves.
 """
 
 from __future__ import annotations

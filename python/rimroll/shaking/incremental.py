@@ -105,7 +105,7 @@ class Rocking:
         the ground also moves vertically, or friction is below R/H, where the body slides.
         """
         if math.isinf(tangent(self.body)):
-            raise RimrollError("a disk stands on no base: give --intensities or --scales")
+            raise RimrollError("a disk stands on no base: give --intensities or --scale")
         strength = measured(grounds, measure)
         lifting = self.options.gravity * tangent(self.body) / measured(grounds, MEASURES["pga"])
         least = float((lifting * strength).min())

@@ -35,7 +35,7 @@ def score(
         int | None,
         typer.Option(help="Runs of each; the worst counts. Else 1, and 10 where two differ."),
     ] = None,
-    limit: Annotated[str, typer.Option(help="Longest time of a run.")] = "60 s",
+    time_limit: Annotated[str, typer.Option(help="Longest time of a run.")] = "60 s",
     python: Annotated[str | None, typer.Option(help="A Python that has the engine.")] = None,
     install: Annotated[
         bool, typer.Option("--install", help="Make an environment with the engine first.")
@@ -90,7 +90,7 @@ def score(
         cases=_listed(cases),
         check_step=1e-4 if checks else None,
         repeats=None if repeats is None else _positive(repeats),
-        limit=positive("limit", limit, "s"),
+        limit=positive("time_limit", time_limit, "s"),
     )
     folder = ensure_folder(output)
     kept = _kept(folder)

@@ -26,9 +26,9 @@ def study(context: typer.Context) -> None:
 
     A first try:
 
-    $ rimroll study plan examples/studies/turn_of_presets.toml
+    $ rimroll study plan turn_of_presets.toml
 
-    $ rimroll study run examples/studies/turn_of_presets.toml --store turns.zarr
+    $ rimroll study run turn_of_presets.toml --store turns.zarr
     """
     if context.invoked_subcommand is None:
         print(context.get_help())

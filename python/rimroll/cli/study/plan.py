@@ -35,7 +35,7 @@ def plan(
 
     Example:
 
-    $ rimroll study plan examples/studies/turn_of_presets.toml
+    $ rimroll study plan turn_of_presets.toml
     """
     what = requested(study)
     whole = planned(what, study)

@@ -80,7 +80,7 @@ def show(
 
     Examples:
 
-    $ rimroll study show examples/studies/turn_of_presets.toml -o turns.svg
+    $ rimroll study show turn_of_presets.toml -o turns.svg
 
     $ rimroll study show turns.zarr --of turn --as curve --along friction --at body=coin -o c.svg
     """
