@@ -12,7 +12,7 @@ import typer
 from rimroll.cli.fit import BodyByOption, ConfidenceOption, GravityOption, OutputOption
 from rimroll.cli.fitted_numbers import numbers_table
 from rimroll.cli.formats import Forms, check, pictures, write, write_json
-from rimroll.cli.gyro import BODY_ERROR, pairs
+from rimroll.cli.gyro import BODY_ERROR
 from rimroll.cli.gyro_fit import first_law
 from rimroll.cli.options import (
     JsonOption,
@@ -20,6 +20,7 @@ from rimroll.cli.options import (
     MotionOptions,
     ResistanceOptions,
     StartOptions,
+    pairs,
 )
 from rimroll.cli.request import requested
 from rimroll.cli.screen import Bar, prose, say, show_json
