@@ -173,12 +173,13 @@ def _below_preamble(lines: list[tuple[int, str]], separator: str | None) -> list
     if first == 0:
         return lines
     width, above = len(rows[first]), first - 1
-    titles = _titles_of(lines[above][1], rows[above], width)
+    mark = separator or _mark_of(lines[first][1])
+    titles = _titles_of(lines[above][1], mark, width)
     if titles is None:
         has_units = len(rows[above]) > 1 and re.search(r"[\[(]", lines[above][1])
         return lines[above:] if has_units else lines[first:]
     if above and _are_units(titles):
-        names = _titles_of(lines[above - 1][1], rows[above - 1], width)
+        names = _titles_of(lines[above - 1][1], mark, width)
         if names is not None:
             marked = [
                 f"{name} ({bare})"
@@ -186,7 +187,7 @@ def _below_preamble(lines: list[tuple[int, str]], separator: str | None) -> list
                 else name
                 for name, unit in zip(names, titles, strict=True)
             ]
-            return [(lines[above][0], _joined(marked, lines[first][1], separator)), *lines[first:]]
+            return [(lines[above][0], (mark or "  ").join(marked)), *lines[first:]]
     return lines[above:]
 
 
@@ -201,19 +202,23 @@ def _begin_numbers(row: list[str], following: list[list[str]]) -> bool:
 
 def _cells_of(line: str, separator: str | None) -> list[str]:
     """The cells of a line that is looked at alone."""
-    mark = separator or next((mark for mark in ";\t," if mark in line), None)
+    mark = separator or _mark_of(line)
     row = _spaced(line) if mark is None else _separated(line, mark)
     while len(row) > 1 and not row[-1]:
         row.pop()
     return row
 
 
-def _titles_of(line: str, row: list[str], width: int) -> list[str] | None:
+def _mark_of(line: str) -> str | None:
+    """What separates the cells of a line; None for spaces."""
+    return next((mark for mark in ";\t," if mark in line), None)
+
+
+def _titles_of(line: str, mark: str | None, width: int) -> list[str] | None:
     """The titles of so many columns in a line; None if it has another number of them."""
-    if len(row) == width:
-        return row
-    if any(mark in line for mark in ";\t,"):
-        return None
+    row = line.split() if mark is None else _cells_of(line, mark)
+    if len(row) == width or mark is not None or _mark_of(line) is not None:
+        return row if len(row) == width else None
     for titles in (re.split(r"\s{2,}", line.strip()), _TITLE_BETWEEN_SPACES.findall(line)):
         if len(titles) == width:
             return titles
@@ -224,12 +229,6 @@ def _are_units(cells: list[str]) -> bool:
     """Whether all cells are units, as in the second line of titles."""
     bare = [cell.strip().strip("[]()").strip() for cell in cells]
     return any(bare) and all(_UNITS.fullmatch(cell) for cell in bare)
-
-
-def _joined(titles: list[str], line: str, separator: str | None) -> str:
-    """A line of these titles with the separator of another line."""
-    mark = separator or next((mark for mark in ";\t," if mark in line), "  ")
-    return mark.join(titles)
 
 
 def _cells(
@@ -244,7 +243,7 @@ def _cells(
             return _without_empty_end(rows)
     width = next((len(line.split()) for line in lines if _are_numbers(_spaced(line))), 1)
     rows = [_spaced(line) for line in lines]
-    titles = _titles_of(lines[0], rows[0], width) if has_columns else None
+    titles = _titles_of(lines[0], None, width) if has_columns else None
     return [
         titles
         if i == 0 and titles is not None
