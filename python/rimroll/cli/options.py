@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rimroll import laws, surfaces
-from rimroll.errors import RimrollError
 from rimroll.laws import Parameter
 from rimroll.laws.shared import RESTITUTION
 from rimroll.names import typed
@@ -78,7 +77,13 @@ class BodyOptions:
         _option("Radius of the rim: of ring, disk, cylinder, or your own body.", "LENGTH", "Body"),
     ] = None
     length: Annotated[str | None, _option("Length of cylinder.", "LENGTH", "Body")] = None
-    mass: Annotated[str | None, _option("Your own body: its mass.", "MASS", "Body")] = None
+    mass: Annotated[
+        str | None, _option("Mass of cylinder, or of your own body.", "MASS", "Body")
+    ] = None
+    density: Annotated[
+        str | None,
+        _option("Density of cylinder: 2700kg/m3 is stone. [that of water]", "DENSITY", "Body"),
+    ] = None
     height: Annotated[
         str | None, _option("Height of its centre of mass above the base.", "LENGTH", "Body")
     ] = None
@@ -156,7 +161,8 @@ class _LawOptions:
     surface: Annotated[
         str | None,
         _option(
-            f"Dry friction of metal on {', '.join(surfaces.SURFACES)}: typical values.",
+            f"Dry friction of metal on {', '.join(surfaces.SURFACES)}, but stone on stone: typical"
+            " values.",
             "NAME",
             "Table",
             surfaces.SURFACES,
@@ -247,11 +253,3 @@ JsonOption = Annotated[
     bool,
     typer.Option("--json", help="Answer in JSON, in SI units and radians; errors too, on stderr."),
 ]
-
-
-def pairs(option: str, text: str, example: str) -> dict[str, str]:
-    """The names and values of an option such as ``t=1,x=2``."""
-    parts = [part.partition("=") for part in text.split(",")]
-    if not all(equals for _, equals, _ in parts):
-        raise RimrollError(f"{option} must be as in {example}, got {text}")
-    return {name.strip(): value.strip() for name, _, value in parts}

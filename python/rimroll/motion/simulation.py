@@ -10,7 +10,7 @@ from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, callback, expect
 from rimroll.given import Number, number
 from rimroll.laws import Law, one_law
-from rimroll.motion.flat import FlatLanding, flat_given, ground_given
+from rimroll.motion.flat import FlatLanding, ground_given, landing_given
 from rimroll.motion.motion import Motion, follow
 from rimroll.options import Options
 from rimroll.polygon.body import PolygonalBody
@@ -49,7 +49,7 @@ def simulate(
     topple_tilt: Number | None = None,
     max_steps: int = 1_000_000,
     ground: Ground | None = None,
-    flat: FlatLanding = "stop",
+    flat: FlatLanding | None = None,
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
 ) -> Motion: ...
@@ -66,7 +66,7 @@ def simulate(
     topple_tilt: Number | None = None,
     max_steps: int = 1_000_000,
     ground: Ground | None = None,
-    flat: FlatLanding = "stop",
+    flat: FlatLanding | None = None,
     restitution: float = 0.0,
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
@@ -80,10 +80,8 @@ def simulate(
         :class:`rimroll.PolygonalBody` pivots from corner to corner, with impacts and flights,
         under ``NoSlip`` or ``Frictionless`` on a table at rest, and gives a
         :class:`rimroll.PolygonMotion`; at spin 0 it leans over a corner, at spin π/n over an edge.
-        Without slip, a start over an edge with a spin rate stands on the corner from which the
-        other one rises. With a yaw rate alone the middle of the edge is at rest; its ends cannot
-        go on turning about it, so such a motion begins with an impact at t = 0 that takes the
-        difference.
+        Without slip, two corners cannot both be at rest in a start over an edge with a yaw rate or
+        spin rate: such a motion begins with an impact at t = 0 that takes the difference.
     duration
         Length of the motion, s. The motion may end earlier; its status says why.
     gravity
@@ -96,8 +94,7 @@ def simulate(
     topple_tilt
         The tilt that counts as toppled, rad. By default π/2 for a body with height, whose side
         then meets the table; none for a disk, which may stand on its edge and fall to either face.
-        With corners π/2, and at most that; at exactly π/2 a flat polygon (height 0) rolls on its
-        side, and does not topple until it leans further.
+        With corners π/2, and at most that.
     max_steps
         Largest number of steps, after which the status is ``failed``; a step takes 0.3 kB. A
         rocking takes tens of steps. It takes hundreds if slip oscillates as the contact point runs
@@ -107,7 +104,8 @@ def simulate(
         then relative to the table. After its end the table is at rest.
     flat
         What follows where the whole base comes down flat at once, as in planar motions, which
-        rigid-body mechanics does not determine. ``stop``: the motion ends as ``face_down``.
+        rigid-body mechanics does not determine; by default ``housner`` with a ground, else
+        ``stop``. ``stop``: the motion ends as ``face_down``.
         ``smooth``: the limit of near-collisions, which lose no energy; the contact point runs round
         the rim to a side that is drawn at random, always the same for the same motion, or to the
         given side with ``smooth_left`` (yaw increases) and ``smooth_right``; ``("smooth", seed)``
@@ -156,11 +154,8 @@ def simulate(
     if isinstance(body, PolygonalBody):
         from rimroll.polygon.motion import follow as follow_corners
 
-        if ground is not None or flat != "stop" or jacobian:
-            raise RimrollError(
-                "a body with corners takes no ground, flat or jacobian: its table is level and at"
-                " rest. rimroll.Body, with a round rim, takes them"
-            )
+        if ground is not None or flat not in (None, "stop") or jacobian:
+            raise RimrollError("a body with corners takes no ground, flat or jacobian")
         callback("progress", progress)
         bounce = number("restitution", restitution)
         return follow_corners(body, single(start), law, options, bounce, progress)
@@ -169,6 +164,6 @@ def simulate(
             "the restitution of a round body belongs to its law: Coulomb(0.3, restitution=0.5)"
         )
     moving = ground_given(ground)
-    landing = flat_given(flat)
+    landing = landing_given(flat, moving is not None)
     callback("progress", progress)
     return follow(body, single(start), law, options, bool(jacobian), progress, moving, landing)

@@ -235,8 +235,7 @@ impl SupportedBody {
             return at.in_body([x, y, at.rise]);
         }
         match self.law {
-            // Both ends of an edge are at rest. At a start with a yaw rate its middle is.
-            IdealLaw::NoSlip => cross(self.middle(), at.rate),
+            IdealLaw::NoSlip => cross(self.first, at.rate),
             IdealLaw::Frictionless => times(self.rise(at), at.up),
         }
     }
