@@ -253,7 +253,7 @@ pub trait Dynamics<T: Real> {
         None
     }
 
-    /// The contribution of resistance to dw/dτ.
+    /// The contribution of resistance to dw/dτ, also at tilts at which it has faded out.
     fn resistance_rate(&self, _u: &Coordinates<T>) -> T {
         T::from(0.0)
     }
@@ -273,6 +273,11 @@ pub trait Dynamics<T: Real> {
     /// where a_x is the friction along e_x1 per unit of normal force. Zero is the Painlevé paradox.
     fn consistency(&self, _u: &Coordinates<T>) -> T {
         T::from(1.0)
+    }
+
+    /// Whether the table moves.
+    fn is_shaken(&self) -> bool {
+        false
     }
 
     /// Whether slip, gap and losses are constant, so that only the first

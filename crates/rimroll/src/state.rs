@@ -292,6 +292,17 @@ impl Coordinates<f64> {
         libm::atan2(self.sin, self.cos).min(LAST_BELOW_PI)
     }
 
+    /// Whether all coordinates are finite.
+    #[inline(always)]
+    pub(crate) fn is_finite(&self) -> bool {
+        // A product with an infinity or a NaN is a NaN.
+        self.into_array()
+            .iter()
+            .map(|value| 0.0 * value)
+            .sum::<f64>()
+            == 0.0
+    }
+
     /// Speed of slip, m/s.
     pub fn slip_speed(&self) -> f64 {
         libm::hypot(self.slip_x, self.slip_y)

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import numpy as np
 import typer
 
 from rimroll.cli.falls import NUMBERS
@@ -15,7 +14,7 @@ from rimroll.cli.formats import STDOUT, Forms, check, pictures, write, write_jso
 from rimroll.cli.fragility_study import Study, answer, follow
 from rimroll.cli.fragility_words import show
 from rimroll.cli.ground import (
-    FlatOption,
+    FlatOfMany,
     LeanOptions,
     ShakenOptions,
     body_and_records,
@@ -32,12 +31,11 @@ from rimroll.cli.records import (
     IntensityOptions,
     RecordsOptions,
     requested_levels,
-    requested_limits,
+    requested_limit,
     requested_records,
 )
 from rimroll.cli.request import Request, Shaking, requested
 from rimroll.cli.screen import Bar, show_json
-from rimroll.cli.simulate import UNDECIDED
 from rimroll.errors import RimrollError
 from rimroll.ground.ground import Ground
 from rimroll.shaking.incremental import Rocking, counts
@@ -76,8 +74,8 @@ FragilityOutput = Annotated[
     typer.Option(
         "--output",
         "-o",
-        help="Write a file; may be repeated. Its suffix says what: .svg, .png or .pdf the curves"
-        " and the largest tilts, .csv, .nc or .json all motions; - writes .csv to stdout.",
+        help="Write a file; may be repeated. Its suffix says what: .svg, .png or .pdf the curve,"
+        " .csv, .nc or .json all motions; - writes .csv to stdout.",
         metavar="FILE",
         rich_help_panel="Output",
     ),
@@ -85,13 +83,12 @@ FragilityOutput = Annotated[
 
 
 def _figure(study: Study) -> Figure:
-    from rimroll.shaking.figures import incremental_figure
+    from rimroll.shaking.figures import fragility_figure
 
-    measure, motions = study.levels.measure, study.motions
-    unit = f" ({measure.unit.replace('^2', '²')})" if measure.unit else ""
-    states = [(counts(motions, measure, one.limit), one.curve, one.limit) for one in study.states]
-    strength = np.broadcast_to(motions[measure.name], motions["overturned"].shape)
-    return incremental_figure(states, motions, strength, f"{measure.symbol}{unit}")
+    measure, limit = study.levels.measure, study.rocking.limit
+    data = counts(study.motions, measure, limit)
+    label = f"{measure.name.upper()} ({measure.unit.replace('^2', '²')})"
+    return fragility_figure(data, study.curve, label, limit)
 
 
 def _json(part: Path, study: Study, bar: Bar) -> None:
@@ -124,7 +121,7 @@ def fragility(
     motion: ManyOptions,
     law: LawOptions,
     resistances: ResistanceOptions,
-    flat: FlatOption = None,
+    flat: FlatOfMany = None,
     files: RecordsArgument = None,
     threads: ThreadsOption = None,
     output: FragilityOutput = None,
@@ -136,7 +133,6 @@ def fragility(
     the curve is a lognormal distribution, fitted by maximum likelihood. Its
     intervals are those of the jackknife over the records. The body stands
     unless a start is given, and rolls without slip unless another law is given.
-    It is one rigid body: a monolithic column, without drums.
     Ctrl-C keeps the records done so far.
 
     Examples:
@@ -146,19 +142,17 @@ def fragility(
     $ rimroll fragility column.toml peer/*.AT2 --intensities 0.2g..1g -o all.csv
 
     $ rimroll fragility column.toml peer/*.AT2 --measure pgv --limit 0.5 --json
-
-    $ rimroll fragility column.toml peer/*.AT2 --measure sa --period 1s --horizontal rotd50
     """
     paths = output or []
     check(paths, FORMS, json)
-    levels, limits = requested_levels(intensity), requested_limits(intensity)
+    levels, limit = requested_levels(intensity), requested_limit(intensity)
     body, more = body_and_records(body, files or ())
     grounds = requested_records(records, more)
     shaking = Shaking(next(iter(grounds.values()), None), given_flat(flat))
     what = requested(body, start, motion, law, resistances, shaking=shaking)
     if not grounds:
         grounds = _ground_of_file(what)
-    rocking = _rocking(what, motion, limits, threads)
+    rocking = _rocking(what, motion, limit, flat is not None, threads)
     study, cut_short = follow(what, rocking, levels, grounds)
     for path in paths:
         write(path, study, FORMS)
@@ -168,10 +162,7 @@ def fragility(
         show(study, paths)
     if cut_short:
         return 130
-    if (study.motions["status"] == "failed").all():
-        return 1
-    is_open = all(one.undecided.total() == study.motions.size for one in study.states)
-    return UNDECIDED if is_open else 0
+    return int(bool((study.motions["status"] == "failed").all()))
 
 
 def _ground_of_file(what: Request) -> dict[str, Ground]:
@@ -183,7 +174,7 @@ def _ground_of_file(what: Request) -> dict[str, Ground]:
 
 
 def _rocking(
-    what: Request, motion: ManyOptions, limits: tuple[float | None, ...], threads: int | None
+    what: Request, motion: ManyOptions, limit: float | None, has_flat: bool, threads: int | None
 ) -> Rocking:
     assert what.start is not None
     options = what.options
@@ -192,8 +183,8 @@ def _rocking(
         what.start,
         what.law,
         replace(options, rtol=1e-8 if motion.rtol is None else options.rtol),
-        what.flat,
+        what.flat if has_flat or what.flat != "stop" else "housner",
         options.duration if what.has_duration else None,
-        limits,
+        limit,
         threads,
     )

@@ -10,7 +10,7 @@ from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, callback, expect
 from rimroll.given import Number, number
 from rimroll.laws import Law, one_law
-from rimroll.motion.flat import FlatLanding, ground_given, landing_given
+from rimroll.motion.flat import FlatLanding, flat_given, ground_given
 from rimroll.motion.motion import Motion, follow
 from rimroll.options import Options
 from rimroll.polygon.body import PolygonalBody
@@ -49,7 +49,7 @@ def simulate(
     topple_tilt: Number | None = None,
     max_steps: int = 1_000_000,
     ground: Ground | None = None,
-    flat: FlatLanding | None = None,
+    flat: FlatLanding = "stop",
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
 ) -> Motion: ...
@@ -66,7 +66,7 @@ def simulate(
     topple_tilt: Number | None = None,
     max_steps: int = 1_000_000,
     ground: Ground | None = None,
-    flat: FlatLanding | None = None,
+    flat: FlatLanding = "stop",
     restitution: float = 0.0,
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
@@ -104,13 +104,15 @@ def simulate(
         then relative to the table. After its end the table is at rest.
     flat
         What follows where the whole base comes down flat at once, as in planar motions, which
-        rigid-body mechanics does not determine; by default ``housner`` with a ground, else
-        ``stop``. ``stop``: the motion ends as ``face_down``.
+        rigid-body mechanics does not determine. ``stop``: the motion ends as ``face_down``.
         ``smooth``: the limit of near-collisions, which lose no energy; the contact point runs round
         the rim to a side that is drawn at random, always the same for the same motion, or to the
         given side with ``smooth_left`` (yaw increases) and ``smooth_right``; ``("smooth", seed)``
         draws other sides. ``housner``: a plastic collision with the opposite point of the rim
-        (Housner 1963). A number r from 0 to 1: the tilt rate falls by this factor.
+        (Housner 1963). A number r from 0 to 1: the tilt rate falls by this factor. The same follows
+        where a resistance has stopped the contact point, so that the base comes down flat; but with
+        ``stop`` and ``smooth`` a body comes to rest if it has fallen from a tilt at which the
+        resistance still holds the contact point.
     restitution
         Restitution in the impacts of a body with corners, 0 (plastic) to 1 (no energy is lost in
         the normal direction). That of a round body belongs to its law: ``Coulomb(0.3,
@@ -135,8 +137,10 @@ def simulate(
     the contact point on the rim for good. The criterion: the resistance would slow down a contact
     point that is fast enough to raise the body again a hundred times as strongly as the falling
     tilt accelerates it. A weaker resistance ends no motion, and as it vanishes the motion becomes
-    that without it. Such an ending is ``at_rest`` if at most 1 % of the energy at the start is
-    left, which the last slap takes; the message says how much. With friction or a resistance, a
+    that without it. On a table at rest and with ``flat="stop"``, such an ending is ``at_rest`` if
+    at most 1 % of the energy at the start is left, which the last slap takes; the message says how
+    much. On a table that moves, the criterion holds below 1e-7 rad, and all resistances fade out
+    below 1e-8 rad. With friction or a resistance, a
     motion is also ``at_rest`` when 1e-10 of its energy is left.
 
     Raises
@@ -154,7 +158,7 @@ def simulate(
     if isinstance(body, PolygonalBody):
         from rimroll.polygon.motion import follow as follow_corners
 
-        if ground is not None or flat not in (None, "stop") or jacobian:
+        if ground is not None or flat != "stop" or jacobian:
             raise RimrollError("a body with corners takes no ground, flat or jacobian")
         callback("progress", progress)
         bounce = number("restitution", restitution)
@@ -164,6 +168,6 @@ def simulate(
             "the restitution of a round body belongs to its law: Coulomb(0.3, restitution=0.5)"
         )
     moving = ground_given(ground)
-    landing = landing_given(flat, moving is not None)
+    landing = flat_given(flat)
     callback("progress", progress)
     return follow(body, single(start), law, options, bool(jacobian), progress, moving, landing)

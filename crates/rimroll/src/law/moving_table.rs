@@ -245,6 +245,10 @@ impl<T: Scalar, L: Movable<T>> Dynamics<T> for OnTable<L, T> {
         self.dynamics.consistency(u)
     }
 
+    fn is_shaken(&self) -> bool {
+        self.table.moves()
+    }
+
     fn is_conservative(&self) -> bool {
         !self.table.moves() && self.dynamics.is_conservative()
     }

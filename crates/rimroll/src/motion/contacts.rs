@@ -8,7 +8,9 @@ use crate::contact_law::ContactLaw;
 use crate::error_scale::ErrorScale;
 use crate::ground::Ground;
 use crate::impact;
-use crate::law::{DryDynamics, Dynamics, DynamicsExt, FrictionLaw, Parameters, Resistance, Table};
+use crate::law::{
+    DryDynamics, Dynamics, DynamicsExt, FrictionLaw, Parameters, Resistance, Response, Table,
+};
 use crate::real::{Dual, Real, Scalar};
 use crate::slip_onset::{ROUNDING, along_and_across, rotated};
 use crate::state::Coordinates;
@@ -273,10 +275,54 @@ impl Contacts {
         if u.p >= 0.0 || u.w.abs() > 0.5 * u.p.abs() {
             return false;
         }
+        self.running_deceleration(phase, u) > MIN_RATIO * u.p * u.p
+    }
+
+    /// Whether resistance would stop the contact point even at the tilt from which the base has come down flat with the
+    /// tilt rate in `u`, so that the body comes to rest where it would run round the rim.
+    pub(super) fn holds_contact_point(&self, at: &Instant) -> bool {
+        let k = &self.parameters;
+        let energy = tilting_energy(k, &Coordinates { w: 0.0, ..at.u });
+        let sin = (energy / (k.m * k.g * k.r)).min(1.0);
+        let cos = (1.0 - sin * sin).sqrt();
+        let there = Coordinates { sin, cos, ..at.u };
+        self.running_deceleration(at.phase, &there) > there.p * there.p
+    }
+
+    /// The larger rate (with respect to τ) at which resistance reduces a w as large as φ̇, of either sign.
+    fn running_deceleration(&self, phase: Phase, u: &Coordinates<f64>) -> f64 {
         let dynamics = self.dynamics(phase);
         let deceleration =
             |w: f64| -w.signum() * dynamics.resistance_rate(&Coordinates { w, ..*u });
-        deceleration(u.p).max(deceleration(-u.p)) > MIN_RATIO * u.p * u.p
+        deceleration(u.p).max(deceleration(-u.p))
+    }
+
+    /// The coordinates after the impulse of resistance that stops the contact point of a rim, with its work.
+    pub(super) fn without_running(&self, phase: Phase, at: &Coordinates<f64>) -> Coordinates<f64> {
+        let k = &self.parameters;
+        let dynamics = self.dynamics(phase);
+        let moment = [1.0, 0.0];
+        let constrained = dynamics.constrained_response(at, moment);
+        let response = constrained.unwrap_or_else(|| Response::to(k, moment, 0.0));
+        let impulse = -at.w / response.w;
+        let s = at.s + impulse * response.s;
+        // A rim that slides keeps the velocity of its centre of mass.
+        let across = if constrained.is_none() {
+            k.h * -at.w - k.r * (s - at.s)
+        } else {
+            0.0
+        };
+        let u = Coordinates {
+            w: 0.0,
+            s,
+            slip_y: at.slip_y + across,
+            ..*at
+        };
+        let taken = dynamics.energy(at).total() - dynamics.energy(&u).total();
+        Coordinates {
+            resistance_loss: at.resistance_loss + taken,
+            ..u
+        }
     }
 
     /// N sin φ of a rim that slides or, if larger, m sin φ times the downward acceleration that the rim would
@@ -395,9 +441,14 @@ impl Contacts {
 
 /// The energy of tilting above that with which a body reaches a tilt of [`STANDING_TILT`], J.
 pub(super) fn tilting_energy_over_standing<T: Real>(k: &Parameters<T>, u: &Coordinates<T>) -> T {
+    tilting_energy(k, u) - k.m * k.g * k.r * T::from(STANDING_TILT)
+}
+
+/// The energy of tilting of a body whose tilt is small, J.
+fn tilting_energy<T: Real>(k: &Parameters<T>, u: &Coordinates<T>) -> T {
     let (rho, z) = (k.rho(u), k.z(u));
     let tilting = (k.a + k.m * (rho * rho + z * z)) * u.p * u.p + k.a * u.w * u.w;
-    T::from(0.5) * tilting + k.m * k.g * k.r * (u.sin - T::from(STANDING_TILT))
+    T::from(0.5) * tilting + k.m * k.g * k.r * u.sin
 }
 
 /// The onset of a slip from rest in a trial direction.

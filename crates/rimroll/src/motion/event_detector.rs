@@ -255,8 +255,12 @@ impl<'a> EventDetector<'a> {
         self.events
     }
 
-    /// Inserts an event in order of time, since an extremum of the tilt is only confirmed some time later.
+    /// Inserts an event in order of time, since an extremum of the tilt is only confirmed some time later. A motion that
+    /// is not finite fails, and has no further event.
     pub(super) fn add(&mut self, kind: EventKind, at: Instant) {
+        if !at.u.is_finite() {
+            return;
+        }
         #[cfg(feature = "ground")]
         if kind == EventKind::TiltMax {
             self.largest_maximum = self.largest_maximum.max(at.tilt());
@@ -470,15 +474,23 @@ impl<'a> EventDetector<'a> {
 
     /// The event function of [`TerminalEvent::StoppedRunning`].
     fn excess_over_stopped(&self, phase: Phase, u: &Coordinates<f64>) -> f64 {
-        let stopped = if self.contacts.moves() {
-            STANDING_TILT
+        if !self.contacts.moves() {
+            let is_over = u.sin <= STOPPED_TILT && self.contacts.has_stopped_running(phase, u);
+            return if is_over || u.sin > STOPPED_TILT {
+                u.sin - STOPPED_TILT
+            } else {
+                u.sin
+            };
+        }
+        // As a body begins to rock, its tilt rate can be negative by rounding.
+        if !self.contacts.is_falling(u) {
+            return 1.0;
+        }
+        let is_flat = u.sin <= 0.0;
+        if is_flat || u.sin > STANDING_TILT || self.contacts.has_stopped_running(phase, u) {
+            u.sin - STANDING_TILT
         } else {
-            STOPPED_TILT
-        };
-        if u.sin > stopped || self.contacts.has_stopped_running(phase, u) {
-            u.sin - stopped
-        } else {
-            u.sin
+            1.0
         }
     }
 

@@ -9,7 +9,9 @@ use crate::real::{Real, Scalar};
 use crate::state::Coordinates;
 use core::f64::consts::PI;
 
-/// The motion after the whole base has come down flat at once.
+/// The motion after the whole base has come down flat at once: in a plane, or because a resistance has stopped the contact
+/// point on the rim. A base that has stopped like that and falls from a tilt at which the resistance still holds the contact
+/// point comes to rest under [`Stop`](Self::Stop) and [`Smooth`](Self::Smooth).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum FlatLanding {
     /// The motion ends.
@@ -86,7 +88,7 @@ pub(super) fn plastic_factor<T: Real>(k: &Parameters<T>, rolls: bool) -> T {
 }
 
 /// The body that begins to rock about the opposite point of the rim, with φ̇ multiplied by a factor. A rim that slides
-/// keeps the horizontal `velocity` (m/s, along e_x1 and e_y1) of the centre of mass.
+/// keeps the horizontal `velocity` (m/s, along e_x1 and e_y1) of the centre of mass, and its axial spin.
 pub(super) fn rocked_over<T: Scalar>(
     k: &Parameters<T>,
     at: &Coordinates<T>,
@@ -102,7 +104,7 @@ pub(super) fn rocked_over<T: Scalar>(
         cos: T::from(1.0),
         p: factor * at.p.abs(),
         w: zero,
-        s: zero,
+        s: if velocity.is_some() { at.s } else { zero },
         x1: -at.x1,
         y1: -at.y1,
         slip_x: zero,

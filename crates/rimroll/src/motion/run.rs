@@ -198,6 +198,7 @@ impl<'a> Run<'a> {
                     AfterEvent::Steps(phase, start, pace) => (phase, start, Some(pace)),
                 };
             self.next = match self.follow_phase(phase, &start, pace, report) {
+                _ if self.trajectory.is_broken() => AfterEvent::End(Status::Failed),
                 PhaseEnd::Event(event) => self.after(event, &self.trajectory.end()),
                 PhaseEnd::Motion(status) => AfterEvent::End(status),
                 #[cfg(feature = "ground")]
@@ -297,7 +298,7 @@ impl<'a> Run<'a> {
     }
 
     fn out_of_steps(&self, report: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Option<PhaseEnd> {
-        if self.work.steps >= self.options.max_steps {
+        if self.work.steps >= self.options.max_steps || self.trajectory.is_broken() {
             return Some(PhaseEnd::Motion(Status::Failed));
         }
         if self.steps_until_report() == 0 && report(self.trajectory.end().t).is_break() {
@@ -497,9 +498,7 @@ impl<'a> Run<'a> {
                 }
                 AfterEvent::End(Status::Toppled)
             }
-            TerminalEvent::Rest | TerminalEvent::StoppedRunning if self.contacts.moves() => {
-                self.stand(at)
-            }
+            TerminalEvent::Rest if self.contacts.moves() => self.stand(at),
             TerminalEvent::Rest => end(self, EventKind::Rest, Status::AtRest),
             TerminalEvent::Paradox => end(self, EventKind::Painleve, Status::Painleve),
             TerminalEvent::Flat if at.phase == Phase::Flying => {
@@ -514,12 +513,9 @@ impl<'a> Run<'a> {
                 let direction = None;
                 AfterEvent::Phase(phase, PhaseStart { u, direction })
             }
-            TerminalEvent::StoppedRunning if self.detector.has_spent_its_energy(at) => {
-                end(self, EventKind::Rest, Status::AtRest)
-            }
             TerminalEvent::Flat if LEVEL_PHASES => self.land_flat(at),
             TerminalEvent::Flat => end(self, EventKind::FaceDown, Status::FaceDown),
-            TerminalEvent::StoppedRunning => end(self, EventKind::FaceDown, Status::FaceDown),
+            TerminalEvent::StoppedRunning => self.land_stopped(at),
             TerminalEvent::LiftOff if !self.contacts.can_fly() => {
                 end(self, EventKind::LiftOff, Status::LiftedOff)
             }

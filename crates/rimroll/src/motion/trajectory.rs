@@ -15,6 +15,8 @@ pub struct Trajectory {
     records: Vec<StepRecord>,
     /// Whether all records are kept, or only the last.
     whole: bool,
+    /// Whether a step was refused because its end is not finite.
+    broken: bool,
 }
 
 impl Trajectory {
@@ -24,15 +26,26 @@ impl Trajectory {
             start,
             records: Vec::with_capacity(if whole { 256 } else { 1 }),
             whole,
+            broken: false,
         }
     }
 
+    /// Adds a step, unless its end is not finite: then the motion cannot go on.
     #[inline(always)]
     pub(super) fn push(&mut self, record: StepRecord) {
+        if !Coordinates::from_array(&record.end).is_finite() {
+            self.broken = true;
+            return;
+        }
         if !self.whole {
             self.records.clear();
         }
         self.records.push(record);
+    }
+
+    /// Whether the motion cannot go on, because a step was refused.
+    pub(super) fn is_broken(&self) -> bool {
+        self.broken
     }
 
     /// Ends the motion with a jump.

@@ -1,14 +1,15 @@
 //! The motion after the whole base of a body has come down flat at once.
 
 use super::pass_near_collision;
-use crate::ending::Status;
+use crate::ending::{FACE_DOWN_TILT, Status};
 use crate::law::DynamicsExt;
 use crate::motion::contacts::Contacts;
 use crate::motion::flat_landing::{FlatLanding, plastic_factor, rocked_over};
 use crate::motion::instant::{Instant, Phase};
-use crate::motion::level_base::UPLIFT_TILT;
+use crate::motion::level_base::{FLAT_TILT, UPLIFT_TILT};
 use crate::motion::options::Options;
-use crate::state::Coordinates;
+use crate::solve::Dense;
+use crate::state::{COORDINATES, Coordinates};
 use std::sync::Arc;
 
 /// The coordinates after the base of a body at `at` has come down flat; `None` where the motion ends. This is the
@@ -25,6 +26,34 @@ pub(super) fn landed(
         FlatLanding::Housner => Some(after_collision(contacts, at, None)),
         FlatLanding::Restitution(factor) => Some(after_collision(contacts, at, Some(factor))),
     }
+}
+
+/// The rest of the fall of a body whose contact point resistance has stopped: a rotation about the contact point, until the
+/// base is flat or the body is lifted again. Resistance only keeps the contact point where it is.
+pub(super) fn last_fall(contacts: &Contacts, at: &Instant) -> Dense<f64, COORDINATES> {
+    let flat = if contacts.moves() {
+        FLAT_TILT
+    } else {
+        FACE_DOWN_TILT
+    };
+    let u = contacts.without_running(at.phase, at);
+    let u = Coordinates {
+        sin: u.sin.max(flat),
+        ..u
+    };
+    let free = contacts.without_resistance();
+    let rates = free.dynamics(at.phase).rates(&u);
+    let (drop, acceleration) = (u.sin - flat, rates.p / u.sin);
+    let p = -(u.p * u.p - 2.0 * acceleration * drop).max(0.0).sqrt();
+    let time = -2.0 * drop / (u.p + p);
+    let end = Coordinates {
+        sin: flat,
+        cos: 1.0,
+        p,
+        ..u.plus(time / u.sin, &rates)
+    };
+    let end = contacts.without_running(at.phase, &end);
+    Dense::line(time, at.u.into_array(), end.into_array())
 }
 
 /// The coordinates after a collision on the flat base, with the lost energy, where φ̇ is multiplied by `factor` or by that

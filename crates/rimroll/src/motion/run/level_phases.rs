@@ -1,15 +1,16 @@
 //! The phases in which the base is level, and what leads to them and from them.
 
-use super::flat_landing::{landed, with_loss};
+use super::flat_landing::{landed, last_fall, with_loss};
 use super::{AfterEvent, MAX_EMPTY_PHASES, PhaseEnd, PhaseStart, Run};
 use crate::ending::Status;
 use crate::motion::event::EventKind;
+use crate::motion::flat_landing::FlatLanding;
 use crate::motion::instant::{Instant, Phase};
 use crate::motion::level_base::LevelMotion;
 use crate::motion::level_base::{Departure, LevelBase, levelled};
 use crate::motion::step_record::StepRecord;
 use crate::real::Dual;
-use crate::state::Coordinates;
+use crate::state::{Coordinates, TIME};
 use core::ops::ControlFlow;
 
 /// The length of a search for the moment at which a body that stands departs, in periods of a pulse.
@@ -41,6 +42,47 @@ impl Run<'_> {
         }
         self.detector.process_jump(at, after);
         self.start_phase(next, u)
+    }
+
+    /// The motion after resistance has stopped the contact point, so that the base comes down flat. What the option `flat`
+    /// says follows, except where the body comes to rest.
+    pub(super) fn land_stopped(&mut self, at: &Instant) -> AfterEvent {
+        let moves = self.contacts.moves();
+        let comes_to_rest = match self.options.flat {
+            FlatLanding::Stop if !moves => self.detector.has_spent_its_energy(at),
+            FlatLanding::Stop | FlatLanding::Smooth(_) => self.contacts.holds_contact_point(at),
+            FlatLanding::Housner | FlatLanding::Restitution(_) => false,
+        };
+        if comes_to_rest && !moves {
+            self.detector.add(EventKind::Rest, *at);
+            return AfterEvent::End(Status::AtRest);
+        }
+        if moves && self.contacts.hardly_rocks(at) {
+            return self.stand(at);
+        }
+        if self.options.flat == FlatLanding::Stop && !moves {
+            return self.land_flat(at);
+        }
+        let mut fall = last_fall(self.contacts, at);
+        let end = self.options.duration;
+        let is_over = fall.end[TIME] >= end;
+        if is_over {
+            fall = fall.cut(fall.fraction_where(TIME, end));
+            fall.end[TIME] = end;
+        }
+        self.trajectory.push(StepRecord::polynomial(at.phase, fall));
+        let landed = self.trajectory.end();
+        if is_over {
+            AfterEvent::End(Status::Finished)
+        } else if comes_to_rest {
+            self.stand(&landed)
+        } else {
+            match (self.land_flat(&landed), self.options.flat) {
+                // Running round the rim would lift it off the table.
+                (AfterEvent::End(Status::FaceDown), FlatLanding::Smooth(_)) => self.stand(&landed),
+                (next, _) => next,
+            }
+        }
     }
 
     /// A body that stands flat from now on.
