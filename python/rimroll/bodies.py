@@ -11,9 +11,12 @@ from collections.abc import Callable
 from rimroll import _core
 from rimroll.body import Body
 from rimroll.errors import RimrollError
-from rimroll.given import Number, number
+from rimroll.given import Number, number, positive
 from rimroll.names import choose
 from rimroll.solids import filling
+
+WATER = 1000.0
+"""The density of water, kg/m³."""
 
 
 def can_2007() -> Body:
@@ -85,10 +88,26 @@ def euler_disk() -> Body:
     return Body(*_core.preset_euler_disk())
 
 
-def cylinder(radius: Number, length: Number) -> Body:
-    """A uniform solid cylinder (m) with the density of water: H = L/2, A = m(R²/4 + L²/12)."""
+def cylinder(
+    radius: Number, length: Number, mass: Number | None = None, density: Number | None = None
+) -> Body:
+    """A uniform solid cylinder (m): H = L/2, A = m(R²/4 + L²/12), C = mR²/2.
+
+    Its mass (kg) or its density (kg/m³), not both, may be given, else it has the density of water.
+    Granite, limestone and marble have some 2700 kg/m³.
+    """
     radius, length = number("radius", radius, "m"), number("length", length, "m")
-    return Body(*_core.preset_cylinder(radius, length))
+    body = Body(*_core.preset_cylinder(radius, length))
+    if mass is None and density is None:
+        return body
+    if mass is not None and density is not None:
+        raise RimrollError("mass and density both say how heavy the cylinder is: give one")
+    if density is not None:
+        factor = positive("density", density, "kg/m^3") / WATER
+    else:
+        factor = positive("mass", mass, "kg") / body.mass
+    numbers = (factor * body.mass, radius, body.height)
+    return Body(*numbers, factor * body.transverse_inertia, factor * body.axial_inertia)
 
 
 def _filled(body: Body, radius: float, depth: float, base: float, length: float) -> Body:

@@ -1,4 +1,4 @@
-"""Tables by name: the dry friction of a metal rim on them.
+"""Tables by name: the dry friction of a metal rim on them, and that of stone on stone.
 
 Typical values, to one digit: a film of grease, dust or water changes them by a factor of two, so
 measure yours. They are coefficients of sliding, and of sticking too unless ``static`` is given:
@@ -63,6 +63,16 @@ def glass(static: float | None = None, restitution: float = 0.0) -> Coulomb:
     return Coulomb(0.5, static, restitution)
 
 
+def stone(static: float | None = None, restitution: float = 0.0) -> Coulomb:
+    """Stone on stone, dry and flat, as a column on its base: 0.65.
+
+    Source: the basic friction angles of dry limestone, 31° to 37°, and granite, 31° to 35° (Barton
+    & Choubey, Rock Mechanics 10, 1977, as tabulated by Wang, Mechanics of Asphalt, table 2.5); wet
+    ones are up to 4° lower.
+    """
+    return Coulomb(0.65, static, restitution)
+
+
 def rubber(static: float | None = None, restitution: float = 0.0) -> Coulomb:
     """A rubber mat: 0.8.
 
@@ -78,6 +88,7 @@ SURFACES: dict[str, Callable[..., Coulomb]] = {
     "wood": wood,
     "steel": steel,
     "glass": glass,
+    "stone": stone,
     "rubber": rubber,
 }
 """The surfaces by name, from slippery to grippy."""

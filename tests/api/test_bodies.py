@@ -1,5 +1,6 @@
 """Bodies: from numbers, presets, and composed of solids."""
 
+import math
 import pickle
 from dataclasses import FrozenInstanceError, asdict, replace
 
@@ -229,3 +230,17 @@ def test_what_is_no_solid_is_refused_with_a_sentence(make, complaint):
 def test_arrays_of_no_bodies_are_refused():
     with pytest.raises(rr.RimrollError, match=r"^bodies must be one or more, got none"):
         rr.Body([], 0.05, 0.07, 3e-4, 1e-4)
+
+
+@pytest.mark.parametrize(
+    ("given", "factor"), [({"density": "2700 kg/m3"}, 2.7), ({"mass": 54.0}, 5.4)]
+)
+def test_a_cylinder_has_the_mass_or_the_density_that_is_given(given, factor):
+    radius, length = (0.01 / (math.pi * 0.25)) ** 0.5, 0.25  # 10 l, which are 10 kg of water
+    water = rr.bodies.cylinder(radius, length)
+    body = rr.bodies.cylinder(radius, length, **given)
+    assert (body.radius, body.height) == (water.radius, water.height)
+    for name in ("mass", "transverse_inertia", "axial_inertia"):
+        assert getattr(body, name) == pytest.approx(factor * getattr(water, name), rel=1e-12)
+    with pytest.raises(rr.RimrollError, match="give one"):
+        rr.bodies.cylinder(radius, length, mass=1.0, density=1.0)

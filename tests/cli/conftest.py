@@ -7,10 +7,10 @@ from rimroll.cli import main
 
 @pytest.fixture
 def stdout_of(capsys):
-    """Runs a command that must succeed, and returns its stdout with single spaces."""
+    """Runs a command that must exit with a code, and returns its stdout with single spaces."""
 
-    def run(arguments):
-        assert main(arguments.split()) == 0
+    def run(arguments, code=0):
+        assert main(arguments.split()) == code
         return " ".join(capsys.readouterr().out.split())
 
     return run

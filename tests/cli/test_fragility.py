@@ -12,6 +12,7 @@ import xarray as xr
 import rimroll as rr
 from given.at2 import at2
 from rimroll.cli import main
+from rimroll.cli.simulate import UNDECIDED
 from rimroll.falls import Interrupted
 from rimroll.scenario import load
 from rimroll.shaking import incremental
@@ -116,6 +117,46 @@ def test_a_limit_counts_tilts_in_place_of_overturning(stdout_of, column, records
     assert answer["limit"] == 0.5
 
 
+def test_several_limit_states_are_those_of_one_each(stdout_of):
+    several = json.loads(stdout_of(f"{FEW} {SCALES} --limit 0.25,50%,overturning --json"))
+    states = several["limit_states"]
+    assert [state["limit"] for state in states] == [0.25, 0.5, None]
+    for state, limit in zip(states, ("--limit 0.25", "--limit 0.5", ""), strict=True):
+        one = json.loads(stdout_of(f"{FEW} {SCALES} {limit} --json"))
+        assert one["limit_states"] == [state]
+        assert state["curve"] == one["curve"] and state["levels"] == one["levels"]
+    text = stdout_of(f"{FEW} {SCALES} --limit 0.25,overturning")
+    assert "reached 0.25" in text and "the probability of overturning" in text
+
+
+@pytest.mark.parametrize(
+    ("options", "measure"),
+    [
+        ("--measure pga --horizontal rotd50", lambda one, p: one.intensity("pga", "rotd50")),
+        ("--measure pgv --horizontal geomean", lambda one, p: one.intensity("pgv", "geomean")),
+        ("--measure sa --period 1s --horizontal rotd50",
+         lambda one, p: one.intensity("sa", "rotd50", period=1.0)),
+        ("--measure pga-ratio", lambda one, p: one.peak.horizontal / (9.81 * 0.25)),
+        ("--measure pgv-ratio", lambda one, p: p * one.peak_velocity.horizontal / (9.81 * 0.25)),
+    ],
+)  # fmt: skip
+def test_the_median_is_in_the_measure_that_is_asked_for(
+    stdout_of, column, records, options, measure
+):
+    factors = np.array([2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 6.0])
+    p = rr.rocking_frequency(column, 9.81)
+    answer = json.loads(stdout_of(f"{FEW} --scales 2.5,3,3.5,4,4.5,5,6 {options} --json"))
+    each = np.array([measure(one, p) for one in records.values()])
+    shaken = rr.shake_many(
+        column, rr.State.standing(), rr.Coulomb(0.6), records, gravity=9.81,
+        scale=rr.axis("scale", factors),
+    )  # fmt: skip
+    curve = rr.fragility(shaken, each[:, np.newaxis] * factors)
+    assert answer["curve"]["median"] == pytest.approx(curve.median, rel=1e-9)
+    name = answer["measure"]
+    assert answer["records"]["synthetic 3"][name] == pytest.approx(each[3])
+
+
 def test_files_of_one_station_are_one_record(stdout_of, stations):
     files = " ".join(map(str, sorted(stations.glob("*.AT2"))))
     answer = json.loads(stdout_of(f"fragility {COLUMN} {files} {SCALES} --json"))
@@ -139,7 +180,7 @@ def test_the_ground_of_a_file_is_a_record(stdout_of):
     answer = json.loads(stdout_of(f"fragility {COLUMN} --scale 1,1.4 --json"))
     assert answer["records"]["column"]["pga"] == load(COLUMN).ground.peak.horizontal
     assert answer["curve"] is None and answer["why_no_curve"]
-    assert "no curve:" in stdout_of(f"fragility {COLUMN} --scale 1,1.4")
+    assert "no curve of overturning:" in stdout_of(f"fragility {COLUMN} --scale 1,1.4")
 
 
 def test_files_hold_all_motions_and_the_curve(stdout_of, tmp_path):
@@ -162,9 +203,9 @@ def test_files_hold_all_motions_and_the_curve(stdout_of, tmp_path):
 
 
 def test_motions_that_are_undecided_are_told_with_what_to_do(stdout_of):
-    text = stdout_of("fragility coin --synthetic 2 --scale 140,170")
+    text = stdout_of("fragility coin --synthetic 2 --scale 140,170", UNDECIDED)
     assert "undecided and left out" in text and "--friction 0.3" in text
-    flat = stdout_of(f"fragility {COLUMN} {RECORD[0]} --scale 1,2,3 --flat stop")
+    flat = stdout_of(f"fragility {COLUMN} {RECORD[0]} --scale 1,2,3 --flat stop", UNDECIDED)
     assert "3 of 3 motions are undecided and left out (3 " in flat
     assert "--flat housner" in flat
 
@@ -202,15 +243,20 @@ def test_ctrl_c_keeps_the_records_that_are_done(capsys, monkeypatch, tmp_path):
         (f"{FEW} --intensities 0.2g,0.2g", "has a number twice"),
         (f"{FEW} --intensities 0.2kg..1", "--intensities"),
         (f"{FEW} --measure pgd", "unknown measure 'pgd'"),
-        (f"{FEW} --limit 1.5", "--limit must be above 0 and at most 1, got 1.5"),
+        (f"{FEW} --measure sa", "--measure sa needs --period"),
+        (f"{FEW} --period 1s", "--period is that of the oscillator of --measure sa"),
+        (f"{FEW} --horizontal mean", "unknown horizontal 'mean'"),
+        (f"{FEW} --limit 0.5,0.5", "--limit has a limit state twice"),
+        (f"fragility {COLUMN} {RECORD[0]} --horizontal geomean", "has no PGA, geometric mean"),
+        (f"{FEW} --limit 1.5", "--limit must be above 0 and at most 1, or overturning, got 1.5"),
         (f"{FEW} --levels 1", "must be between 2 and"),
         (f"{FEW} --record {RECORD[0]}", "give one"),
         (f"{FEW} -o f.gif", "suffix must be one of"),
         (f"fragility {COLUMN} --soil-period 1s", "--soil-period needs --synthetic"),
         (f"fragility {COLUMN} --units g", "--units needs --record"),
         (f"fragility {COLUMN} {RECORD[0]} {RECORD[0]}", "is given twice"),
-        (f"fragility {COLUMN} {RECORD[2]}", "has no horizontal acceleration"),
-        (f"fragility {COLUMN} {RECORD[2]} --measure pgv", "has no horizontal velocity"),
+        (f"fragility {COLUMN} {RECORD[2]}", "has no PGA"),
+        (f"fragility {COLUMN} {RECORD[2]} --measure pgv", "has no PGV"),
         (f"fragility {COLUMN} nosuch.at2", "cannot read nosuch.at2"),
         ("fragility disk --radius 1m --synthetic 2", "give --intensities or --scale"),
     ],
@@ -223,4 +269,4 @@ def test_errors_are_one_line_that_names_the_option(error_of, arguments, message)
 def test_no_warning_reaches_the_user(stdout_of):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        stdout_of("fragility coin --synthetic 2 --scale 140,170")
+        stdout_of("fragility coin --synthetic 2 --scale 140,170", UNDECIDED)

@@ -34,9 +34,11 @@ def test_the_panels_show_the_motion(scale):
     assert second.get_ylabel() == "over the balance tilt (1)"
     path = next(line for line in shown["d"].lines if line.get_label() == "path of its centre")
     moved = path.get_xydata()[-1] - path.get_xydata()[0]
-    assert moved == pytest.approx(motion.residual_displacement, abs=1e-12)
+    assert moved == pytest.approx(motion.footprint[-1] - motion.footprint[0], abs=1e-12)
     turned = shown["c"].lines[0].get_ydata()
-    assert np.radians(turned[-1] - turned[0]) == pytest.approx(motion.residual_yaw, abs=1e-12)
+    assert np.radians(turned[-1] - turned[0]) == pytest.approx(
+        motion.body_yaw[-1] - motion.body_yaw[0], abs=1e-12
+    )
     record = shown["a"].lines[0].get_ydata()
     assert abs(record).max() == motion.ground.peak.x
 

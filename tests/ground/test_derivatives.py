@@ -79,8 +79,9 @@ def test_what_becomes_of_a_body_has_derivatives():
 
     def outcome(by):
         other = shaken(start, scale=1.0 + by, jacobian=False)
-        x, _ = other.residual_displacement
-        return np.array([other.max_tilt, other.uplift_time, x, other.residual_yaw])
+        x, _ = other.footprint[-1] - other.footprint[0]
+        turned = other.body_yaw[-1] - other.body_yaw[0]
+        return np.array([other.max_tilt, other.uplift_time, x, turned])
 
     # After an uplift derivatives are right to about 1e-5.
     expected = slope(outcome, 1e-4)

@@ -248,7 +248,9 @@ def test_motions_that_came_down_flat_or_were_still_falling_are_undecided() -> No
     column = rr.Body(1000, 0.5, 2.0, 1395.8333333333333, 125.0)
     pulse = rr.ground.rectangular(3.6, 0.58)
     falling, flat, fell = (
-        rr.shake_many(column, start, rr.NoSlip(), pulse, scale=scale, duration=duration)
+        rr.shake_many(
+            column, start, rr.NoSlip(), pulse, scale=scale, duration=duration, flat="stop"
+        )
         for start, scale, duration in (
             (rr.State(tilt=0.26), 1e-3, 1.0),
             (rr.State.standing(), 0.9, 20.0),

@@ -1,5 +1,7 @@
 """Response spectra against closed forms and an independent integration."""
 
+import math
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -105,3 +107,42 @@ def test_what_is_no_oscillator_is_refused(periods, damping, message):
     with pytest.raises(rr.RimrollError) as refusal:
         rr.ground.sine(2.0, 0.5).response_spectrum(periods, damping)
     assert message in str(refusal.value)
+
+
+@given(st.integers(0, 1000), st.floats(0.0, 6.28), st.sampled_from(["pga", "pgv", "sa"]))
+@examples(40)
+def test_intensities_of_two_components_do_not_depend_on_the_axes(
+    seed: int, angle: float, measure: str
+) -> None:
+    """Turning a record leaves its vector and its RotD50 as they are."""
+    record = rr.ground.synthetic(seed, (1.0, 0.6, 0.3), duration=5.0)
+    period = 0.7 if measure == "sa" else None
+    for how, tolerance in (("vector", 2e-4), ("rotd50", 1e-3)):
+        one, other = (
+            ground.intensity(measure, how, period=period)
+            for ground in (record, record.rotated(angle))
+        )
+        assert other == pytest.approx(one, rel=tolerance)
+    largest, median, mean = (
+        record.intensity(measure, how, period=period) for how in ("vector", "rotd50", "geomean")
+    )
+    assert largest / math.sqrt(2.0) * (1.0 - 1e-3) <= median <= largest * (1.0 + 1e-3)
+    assert mean <= largest * (1.0 + 1e-3)
+    assert record.scaled(2.5).intensity(measure, "rotd50", period=period) == pytest.approx(
+        2.5 * median
+    )
+
+
+def test_intensities_are_those_of_the_components_along_one_line() -> None:
+    record = rr.ground.synthetic(3, 1.0, duration=5.0)
+    spectrum = record.response_spectrum([0.7])["pseudo_acceleration"].values[0, 0]
+    for measure, along, period in (
+        ("pga", record.peak.x, None),
+        ("pgv", record.peak_velocity.x, None),
+        ("sa", spectrum, 0.7),
+    ):
+        assert record.intensity(measure, period=period) == pytest.approx(along, rel=1e-9)
+        assert record.intensity(measure, "rotd50", period=period) == pytest.approx(
+            along * np.median(np.abs(np.cos(np.radians(range(180))))), rel=1e-9
+        )
+        assert record.intensity(measure, "geomean", period=period) == 0.0

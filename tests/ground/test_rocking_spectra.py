@@ -119,7 +119,7 @@ def test_maxima_depend_on_the_seed_alone() -> None:
             COLUMN,
             rr.State.standing(),
             rr.NoSlip(),
-            rr.ground.sine((3.0, 1.0, 0.0), 1.0),
+            rr.ground.sine((2.7, 1.0, 0.0), 1.0),
             40,
             tilt_noise=1e-3,
             seed=seed,
@@ -132,6 +132,45 @@ def test_maxima_depend_on_the_seed_alone() -> None:
     assert one.distance(same).statistic == 0.0
     expected = ks_2samp(one.values, other.values)
     assert one.distance(other) == (expected.statistic, expected.pvalue)
+
+
+def test_undecided_motions_are_no_maxima() -> None:
+    shaken = rr.shake_many(
+        COLUMN,
+        rr.State.standing(),
+        rr.NoSlip(),
+        rr.ground.half_sine(1.0, 1.0),
+        scale=np.array([1.0, 3.0, 9.0]),
+        flat="stop",
+    )
+    assert shaken["undecided"].values.tolist() == [False, True, False]
+    with pytest.warns(rr.UndecidedWarning, match="1 of 3 motions are left out"):
+        assert rr.Maxima.of(shaken).values.tolist() == [0.0, np.inf]
+    with (
+        pytest.warns(rr.UndecidedWarning),
+        pytest.raises(rr.RimrollError, match="all motions are undecided"),
+    ):
+        rr.Maxima.of(shaken.isel(trial=[1]))
+
+
+def test_undecided_factors_are_not_those_that_a_body_survives() -> None:
+    """Planar motions come down flat: below what overturns at once, nothing is decided."""
+    found = rr.overturning_scale(
+        COLUMN,
+        rr.State.standing(),
+        rr.NoSlip(),
+        rr.ground.half_sine(1.0, 1.0),
+        np.array([1.0, 2.0, 3.0, 9.0]),
+        flat="stop",
+    )
+    assert found["undecided"].values.tolist() == [[False, False, True, False]]
+    assert found["below"].item() == 2.0 and found["scale"].item() > 3.0
+    spectrum = rr.rocking_spectrum(
+        COLUMN, rr.ground.sine(3.0, 1.0), np.array([2.0, 3.3]), flat="stop"
+    )
+    assert spectrum.undecided.any()
+    assert np.isnan(spectrum.max_tilt_ratio[spectrum.undecided]).all()
+    assert spectrum.plot() is not None
 
 
 def test_the_distribution_counts_bodies_that_overturned() -> None:

@@ -45,10 +45,14 @@ def test_rows_are_what_simulate_gives() -> None:
         # The footprint is R from the contact point toward the axis.
         heading = np.stack([np.cos(motion.yaw), np.sin(motion.yaw)], axis=-1)
         footprint = motion.contact_path + 0.5 * heading
-        moved = [one["residual_x"].item(), one["residual_y"].item()]
+        moved = [one["end_x"].item(), one["end_y"].item()]
         np.testing.assert_allclose(moved, footprint[-1] - footprint[0], atol=1e-12)
         turned = (motion.yaw + motion.spin)[-1] - (motion.yaw + motion.spin)[0]
-        assert one["residual_yaw"].item() == pytest.approx(turned, abs=1e-12)
+        assert one["end_yaw"].item() == pytest.approx(turned, abs=1e-12)
+        assert one["overturned"].item() is bool(motion.overturned)
+        assert one["undecided"].item() is (motion.overturned is None)
+        assert one["stands"].item() is motion.stands
+        assert np.isnan(one["residual_yaw"].item()) == (motion.residual_yaw is None)
     assert shaken["overturned"].any()
     assert not shaken["overturned"].all()
 

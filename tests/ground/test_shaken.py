@@ -7,9 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
+from hypothesis import given
+from hypothesis import strategies as st
 
 import rimroll as rr
 from given.motions import CAN, PAPER_START, same_bits
+from given.strategies import examples
+from rimroll.motion.shaken import shaken_in_words
 
 COLUMN = rr.Body(
     mass=1000.0,
@@ -43,7 +47,7 @@ def test_a_column_that_slides_flat_ends_where_its_impulse_takes_it():
     slid = 0.5 * speed * pulse + 0.5 * speed**2 / (friction * G)
     assert motion.residual_displacement == pytest.approx([0.0, -slid], abs=1e-9)
     assert motion.max_tilt == 0.0 and motion.residual_yaw == 0.0
-    assert motion.uplift_time is None and not motion.overturned
+    assert motion.uplift_time is None and motion.overturned is False
 
 
 @pytest.mark.parametrize(("longer", "overturns"), [(0.999, False), (1.001, True)])
@@ -67,7 +71,7 @@ def test_the_least_pulse_that_overturns(longer, overturns):
 
 def test_a_column_that_only_loses_its_hold_has_not_overturned():
     falling = shaken(rr.ground.rectangular((0.0, 0.0, -15.0), 0.5), rr.State(tilt=0.05))
-    assert falling.status == "lifted_off" and not falling.overturned
+    assert falling.status == "lifted_off" and falling.overturned is None
 
 
 def test_the_largest_tilt_is_that_of_the_energy_between_the_steps():
@@ -82,6 +86,40 @@ def test_the_largest_tilt_is_that_of_the_energy_between_the_steps():
     given = a * (radius - radius * math.cos(end) + height * math.sin(end)) / G
     assert motion.max_tilt > motion.tilt.max()
     assert rise(motion.max_tilt) == pytest.approx(given, rel=1e-8)
+
+
+shaken_motions = st.fixed_dictionaries(
+    {
+        "ground": st.builds(
+            rr.ground.sine,
+            st.tuples(st.floats(0.5, 8.0), st.sampled_from([0.0, 1.0, 3.0]), st.just(0.0)),
+            st.floats(0.3, 1.5),
+        ),
+        "start": st.sampled_from([rr.State.standing(), rr.State(tilt=0.1, yaw=0.3)]),
+        "law": st.sampled_from([rr.NoSlip(), rr.InPlace(), rr.Coulomb(0.6), rr.Coulomb(0.2)]),
+        "flat": st.sampled_from([None, "stop", "smooth", 0.5]),
+        "duration": st.floats(0.2, 6.0),
+    }
+)
+
+
+@given(shaken_motions)
+@examples(200)
+def test_what_is_decided_stays_so(case):
+    """A body that has not overturned never does; where it stands, it stays."""
+    motion = shaken(**case, rtol=1e-8)
+    longer = shaken(**case | {"duration": case["duration"] + 20.0}, rtol=1e-8)
+    if motion.overturned is not None:
+        assert longer.overturned is motion.overturned
+    if motion.stands:
+        assert longer.residual_displacement == pytest.approx(motion.residual_displacement, abs=0)
+        assert longer.residual_yaw == motion.residual_yaw
+    stopped = motion.status in ("face_down", "painleve", "failed")
+    if stopped or (motion.status == "finished" and motion.t[-1] < case["ground"].duration):
+        assert motion.overturned is None
+        assert "It is undecided whether it overturns" in shaken_in_words(motion)
+    if not motion.stands:
+        assert motion.residual_displacement is motion.residual_yaw is None
 
 
 def test_planar_rocking_leaves_the_footprint_where_it_was():
@@ -102,14 +140,18 @@ def test_rolling_carries_the_footprint_and_the_yaw_away():
     middle = 0.5 * (along[1:] + along[:-1])
     moved = COLUMN.radius * np.diff(fine.body_yaw)[:, None] * middle
     assert path[-1] - path[0] == pytest.approx(moved.sum(axis=0), abs=1e-4)
-    assert motion.residual_displacement == pytest.approx(path[-1] - path[0], abs=1e-12)
-    assert motion.residual_yaw == pytest.approx(np.diff(fine.body_yaw).sum(), abs=1e-12)
-    assert np.hypot(*motion.residual_displacement) > 0.01
+    moved = motion.footprint[-1] - motion.footprint[0]
+    assert moved == pytest.approx(path[-1] - path[0], abs=1e-12)
+    assert motion.body_yaw[-1] - motion.body_yaw[0] == pytest.approx(
+        np.diff(fine.body_yaw).sum(), abs=1e-12
+    )
+    assert np.hypot(*(path[-1] - path[0])) > 0.01
+    assert motion.residual_displacement is None and motion.residual_yaw is None  # it still rocks
 
 
 def test_a_body_on_a_table_at_rest_has_the_same_results():
     motion = rr.simulate(CAN, PAPER_START, rr.NoSlip(), 2.0)
-    assert motion.uplift_time is None and not motion.overturned
+    assert motion.uplift_time is None and motion.overturned is not True
     tops = [event.state.tilt for event in motion.events if event.kind == "tilt_max"]
     assert motion.max_tilt == pytest.approx(max(*tops, PAPER_START.tilt), abs=1e-12)
     toppled = rr.simulate(CAN, rr.State(tilt=1.3), rr.Coulomb(0.3), 5.0)

@@ -260,6 +260,18 @@ impl CoreMotion {
         self.motion.overturning_time()
     }
 
+    /// Whether it was not determined whether the body overturns.
+    #[getter]
+    fn undecided(&self) -> bool {
+        self.motion.is_undecided()
+    }
+
+    /// Whether the body stands at the end.
+    #[getter]
+    fn stands(&self) -> bool {
+        self.motion.stands()
+    }
+
     /// How it ended, in a sentence with its angles in degrees or radians.
     fn message(&self, degrees: bool) -> String {
         self.motion.ending.sentence(angle_unit(degrees))

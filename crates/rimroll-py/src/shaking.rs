@@ -14,17 +14,19 @@ use rimroll::{
 use std::sync::Arc;
 
 /// The numbers of a motion, in the order of [`numbers`].
-pub const SHAKEN_COLUMNS: [&str; 15] = [
+pub const SHAKEN_COLUMNS: [&str; 17] = [
     "status",
     "overturning_time",
+    "undecided",
+    "stands",
     "max_tilt",
     "max_tilt_time",
     "uplift_time",
     "end_time",
     "end_tilt",
-    "residual_x",
-    "residual_y",
-    "residual_yaw",
+    "end_x",
+    "end_y",
+    "end_yaw",
     "friction_loss",
     "resistance_loss",
     "impact_loss",
@@ -41,6 +43,8 @@ fn numbers(shaken: &Shaken) -> [f64; SHAKEN_COLUMNS.len()] {
     [
         f64::from(shaken.status as u8),
         shaken.overturning_time.unwrap_or(f64::NAN),
+        f64::from(shaken.undecided),
+        f64::from(shaken.stands),
         shaken.max_tilt,
         shaken.max_tilt_time,
         shaken.uplift_time.unwrap_or(f64::NAN),

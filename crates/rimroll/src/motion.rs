@@ -108,6 +108,18 @@ impl Motion {
         shaken::overturning_time(k, self.status, &self.events, &end)
     }
 
+    /// Whether the motion ended before it was determined whether the body overturns: it stopped early, the table still
+    /// moved, or the body had enough energy to reach its balance tilt.
+    pub fn is_undecided(&self) -> bool {
+        let end = self.trajectory.end();
+        shaken::is_undecided(&self.contacts, self.status, &self.events, &end)
+    }
+
+    /// Whether the body stands at the end and the table no longer moves.
+    pub fn stands(&self) -> bool {
+        shaken::stands(&self.contacts, self.status, &self.trajectory.end())
+    }
+
     /// A sentence on how the motion ended, with angles in radians.
     pub fn message(&self) -> String {
         self.ending.sentence(AngleUnit::Radians)

@@ -138,6 +138,8 @@ fn each_row_is_what_the_whole_motion_gives() {
             time_of(EventKind::Topple).or_else(|| lifted_off.then_some(shaken.end_time))
         );
         assert_eq!(shaken.uplift_time, time_of(EventKind::Uplift));
+        assert_eq!(shaken.undecided, motion.is_undecided());
+        assert_eq!(shaken.stands, motion.stands());
         // Dense output at samples inside the steps never exceeds the largest tilt by more than its error.
         let samples = motion.trajectory.samples(16);
         let tilts = samples.iter().map(|at| at.tilt());

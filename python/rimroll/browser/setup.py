@@ -20,7 +20,7 @@ from rimroll.browser.floor import floor_of
 from rimroll.errors import RimrollError, expect
 from rimroll.given import Number, number
 from rimroll.laws import Coulomb, Frictionless, Law, NoSlip, RollingResistance, one_law
-from rimroll.motion.flat import FlatLanding, flat_given, ground_given
+from rimroll.motion.flat import FlatLanding, ground_given, landing_given
 from rimroll.state import State, single
 
 if TYPE_CHECKING:
@@ -39,14 +39,15 @@ def setup_of(
     duration: Number | None,
     gravity: Number | None,
     ground: Ground | None = None,
-    flat: FlatLanding = "stop",
+    flat: FlatLanding | None = None,
 ) -> str:
     """The set-up ``name=value&...`` of what is given; the page has its own values for the rest.
 
     Raises ``RimrollError`` for arrays, and for a law or a ground that the page does not have.
     """
     pairs: list[tuple[str, str]] = []
-    given_ground, landing = ground_given(ground), flat_given(flat)
+    given_ground = ground_given(ground)
+    landing = landing_given(flat, given_ground is not None)
     if body is not None:
         pairs += _body(one_body(body))
     if start is not None:

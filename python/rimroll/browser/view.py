@@ -92,7 +92,7 @@ def lab(
     duration: Number | None = None,
     gravity: Number | None = None,
     ground: Ground | None = None,
-    flat: FlatLanding = "stop",
+    flat: FlatLanding | None = None,
     height: int = 760,
     browser: bool | None = None,
 ) -> Lab:

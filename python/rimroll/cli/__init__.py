@@ -21,7 +21,8 @@ def main(arguments: Sequence[str] | None = None, begin: Callable[[], object] = l
     ``begin`` is called before the command's own work, when what it needs at first is loaded.
 
     The code is 0 when all went well, also if the reader of stdout stops reading early, as ``head``
-    does, and 1 when the solver gave up. It is 2 for what cannot be done and 130 when interrupted;
+    does, 1 when the solver gave up, and 3 when it is undecided whether a shaken body overturns. It
+    is 2 for what cannot be done and 130 when interrupted;
     then there is one line on stderr: ``rimroll: ...`` or, with ``--json``,
     ``{"error": "..."}``.
     """

@@ -17,7 +17,7 @@ from rimroll.cli.screen import prose, say, show_json, table
 from rimroll.scenario import presets
 from rimroll.units import UNIT_OF
 
-METAVARS = {"m": "LENGTH", "1": "PART"}
+METAVARS = {"m": "LENGTH", "1": "PART", "kg": "MASS", "kg/m^3": "DENSITY"}
 """What stands for a size, by its unit."""
 
 

@@ -71,6 +71,7 @@ def shaken(motion: Motion) -> dict[str, Any]:
         "uplift_time": motion.uplift_time,
         "max_tilt": motion.max_tilt,
         "max_tilt_ratio": motion.max_tilt_ratio,
+        "stands": motion.stands,
         "residual_displacement": motion.residual_displacement,
         "residual_yaw": motion.residual_yaw,
         "ground_work": float(motion.ground_work[-1]),

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
+import numpy as np
 import typer
 
 from rimroll.cli.falls import NUMBERS
@@ -14,7 +15,7 @@ from rimroll.cli.formats import STDOUT, Forms, check, pictures, write, write_jso
 from rimroll.cli.fragility_study import Study, answer, follow
 from rimroll.cli.fragility_words import show
 from rimroll.cli.ground import (
-    FlatOfMany,
+    FlatOption,
     LeanOptions,
     ShakenOptions,
     body_and_records,
@@ -31,11 +32,12 @@ from rimroll.cli.records import (
     IntensityOptions,
     RecordsOptions,
     requested_levels,
-    requested_limit,
+    requested_limits,
     requested_records,
 )
 from rimroll.cli.request import Request, Shaking, requested
 from rimroll.cli.screen import Bar, show_json
+from rimroll.cli.simulate import UNDECIDED
 from rimroll.errors import RimrollError
 from rimroll.ground.ground import Ground
 from rimroll.shaking.incremental import Rocking, counts
@@ -74,8 +76,8 @@ FragilityOutput = Annotated[
     typer.Option(
         "--output",
         "-o",
-        help="Write a file; may be repeated. Its suffix says what: .svg, .png or .pdf the curve,"
-        " .csv, .nc or .json all motions; - writes .csv to stdout.",
+        help="Write a file; may be repeated. Its suffix says what: .svg, .png or .pdf the curves"
+        " and the largest tilts, .csv, .nc or .json all motions; - writes .csv to stdout.",
         metavar="FILE",
         rich_help_panel="Output",
     ),
@@ -83,12 +85,13 @@ FragilityOutput = Annotated[
 
 
 def _figure(study: Study) -> Figure:
-    from rimroll.shaking.figures import fragility_figure
+    from rimroll.shaking.figures import incremental_figure
 
-    measure, limit = study.levels.measure, study.rocking.limit
-    data = counts(study.motions, measure, limit)
-    label = f"{measure.name.upper()} ({measure.unit.replace('^2', '²')})"
-    return fragility_figure(data, study.curve, label, limit)
+    measure, motions = study.levels.measure, study.motions
+    unit = f" ({measure.unit.replace('^2', '²')})" if measure.unit else ""
+    states = [(counts(motions, measure, one.limit), one.curve, one.limit) for one in study.states]
+    strength = np.broadcast_to(motions[measure.name], motions["overturned"].shape)
+    return incremental_figure(states, motions, strength, f"{measure.symbol}{unit}")
 
 
 def _json(part: Path, study: Study, bar: Bar) -> None:
@@ -121,7 +124,7 @@ def fragility(
     motion: ManyOptions,
     law: LawOptions,
     resistances: ResistanceOptions,
-    flat: FlatOfMany = None,
+    flat: FlatOption = None,
     files: RecordsArgument = None,
     threads: ThreadsOption = None,
     output: FragilityOutput = None,
@@ -133,6 +136,7 @@ def fragility(
     the curve is a lognormal distribution, fitted by maximum likelihood. Its
     intervals are those of the jackknife over the records. The body stands
     unless a start is given, and rolls without slip unless another law is given.
+    It is one rigid body: a monolithic column, without drums.
     Ctrl-C keeps the records done so far.
 
     Examples:
@@ -142,17 +146,19 @@ def fragility(
     $ rimroll fragility column.toml peer/*.AT2 --intensities 0.2g..1g -o all.csv
 
     $ rimroll fragility column.toml peer/*.AT2 --measure pgv --limit 0.5 --json
+
+    $ rimroll fragility column.toml peer/*.AT2 --measure sa --period 1s --horizontal rotd50
     """
     paths = output or []
     check(paths, FORMS, json)
-    levels, limit = requested_levels(intensity), requested_limit(intensity)
+    levels, limits = requested_levels(intensity), requested_limits(intensity)
     body, more = body_and_records(body, files or ())
     grounds = requested_records(records, more)
     shaking = Shaking(next(iter(grounds.values()), None), given_flat(flat))
     what = requested(body, start, motion, law, resistances, shaking=shaking)
     if not grounds:
         grounds = _ground_of_file(what)
-    rocking = _rocking(what, motion, limit, flat is not None, threads)
+    rocking = _rocking(what, motion, limits, threads)
     study, cut_short = follow(what, rocking, levels, grounds)
     for path in paths:
         write(path, study, FORMS)
@@ -162,7 +168,10 @@ def fragility(
         show(study, paths)
     if cut_short:
         return 130
-    return int(bool((study.motions["status"] == "failed").all()))
+    if (study.motions["status"] == "failed").all():
+        return 1
+    is_open = all(one.undecided.total() == study.motions.size for one in study.states)
+    return UNDECIDED if is_open else 0
 
 
 def _ground_of_file(what: Request) -> dict[str, Ground]:
@@ -174,7 +183,7 @@ def _ground_of_file(what: Request) -> dict[str, Ground]:
 
 
 def _rocking(
-    what: Request, motion: ManyOptions, limit: float | None, has_flat: bool, threads: int | None
+    what: Request, motion: ManyOptions, limits: tuple[float | None, ...], threads: int | None
 ) -> Rocking:
     assert what.start is not None
     options = what.options
@@ -183,8 +192,8 @@ def _rocking(
         what.start,
         what.law,
         replace(options, rtol=1e-8 if motion.rtol is None else options.rtol),
-        what.flat if has_flat or what.flat != "stop" else "housner",
+        what.flat,
         options.duration if what.has_duration else None,
-        limit,
+        limits,
         threads,
     )

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rimroll.cli.records import Levels
 from rimroll.cli.request import Request
@@ -16,9 +17,11 @@ from rimroll.cli.screen import working
 from rimroll.errors import RimrollError
 from rimroll.falls import Column, Falls, Interrupted
 from rimroll.ground.ground import Ground
-from rimroll.shaking.incremental import MEASURES, Rocking, laid_out, measured
+from rimroll.shaking.incremental import Measure, Rocking
 from rimroll.shaking.lognormal import Fragility, UndecidedWarning, reached
 from rimroll.shaking.lognormal import fragility as fitted
+
+Flags = NDArray[np.bool_]
 
 OF_CURVE = (
     "median",
@@ -33,16 +36,52 @@ OF_CURVE = (
 
 
 @dataclass(frozen=True)
+class LimitState:
+    """A limit state: the curve that fits the motions, or why there is none."""
+
+    limit: float | None
+    """The largest tilt over the balance tilt; None for overturning."""
+    failed: Flags
+    """Which motions reached it (records, levels)."""
+    is_open: Flags
+    """Which of the motions are undecided."""
+    undecided: Counter[str]
+    """How many motions that are undecided ended in which status."""
+    curve: Fragility | None
+    why_not: str
+
+    @classmethod
+    def of(cls, motions: Falls, measure: str, limit: float | None) -> LimitState:
+        """The limit state of motions over records and levels."""
+        failed, is_open = reached(motions, limit)
+        undecided = Counter(map(str, motions["status"][is_open].tolist()))
+        curve, why_not = _fitted(motions, measure, limit)
+        return cls(limit, failed, is_open, undecided, curve, why_not)
+
+    def rows(self, study: Study) -> list[dict[str, Any]]:
+        """What became of the motions at each level."""
+        return [
+            {
+                study.axis: float(value),
+                "motions": len(self.failed),
+                "overturned": int(study.motions["overturned"][:, place].sum()),
+                "failed": int(self.failed[:, place].sum()),
+                "undecided": int(self.is_open[:, place].sum()),
+            }
+            for place, value in enumerate(study.motions[study.axis])
+        ]
+
+
+@dataclass(frozen=True)
 class Study:
-    """Motions over records and levels, and the curve that fits them, or why there is none."""
+    """Motions over records and levels, and their limit states."""
 
     request: Request
     rocking: Rocking
     levels: Levels
     grounds: Mapping[str, Ground]
     motions: Falls
-    curve: Fragility | None
-    why_not: str
+    states: tuple[LimitState, ...]
 
     @property
     def axis(self) -> str:
@@ -53,25 +92,6 @@ class Study:
         """The records whose motions are all done."""
         return {name: self.grounds[name] for name in map(str, self.motions["ground"])}
 
-    def rows(self) -> list[dict[str, Any]]:
-        """What became of the motions at each level."""
-        far, undecided = reached(self.motions, self.rocking.limit)
-        return [
-            {
-                self.axis: float(value),
-                "motions": len(far),
-                "overturned": int(self.motions["overturned"][:, place].sum()),
-                "failed": int(far[:, place].sum()),
-                "undecided": int(undecided[:, place].sum()),
-            }
-            for place, value in enumerate(self.motions[self.axis])
-        ]
-
-    def undecided(self) -> Counter[str]:
-        """How many of the motions that are undecided ended in which status."""
-        _, undecided = reached(self.motions, self.rocking.limit)
-        return Counter(map(str, self.motions["status"][undecided].tolist()))
-
 
 def follow(
     what: Request, rocking: Rocking, asked: Levels, grounds: Mapping[str, Ground]
@@ -79,7 +99,7 @@ def follow(
     """The motions and their curve, and whether Ctrl-C cut them short."""
     measure, levels = asked.measure, asked.values
     with working(f"shaking {what.name}") as bar:
-        strength = measured(grounds, measure)
+        strength = rocking.measured(grounds, measure)
         if levels is None:
             bar(0, 1, "how strong?")
             levels = rocking.usual_levels(grounds, measure, asked.points)
@@ -98,20 +118,20 @@ def follow(
     axis, level = measure.name, Column(levels, measure.unit, measure.long_name)
     if asked.are_factors:
         axis, level = "scale", Column(levels, "", "factor on the acceleration of the ground")
-    motions = laid_out(found, grounds, level, axis)
-    curve, why_not = _fitted(motions, asked, rocking.limit)
-    named = {"body": what.name, **attrs, **_numbers(curve)}
+    motions = rocking.laid_out(found, grounds, level, axis, measure)
+    states = tuple(LimitState.of(motions, measure.name, limit) for limit in rocking.limits)
+    named = {"body": what.name, **attrs, **_numbers(states[0].curve)}
     motions = motions.with_attrs(named)
-    return Study(what, rocking, asked, grounds, motions, curve, why_not), "interrupted" in attrs
+    return Study(what, rocking, asked, grounds, motions, states), "interrupted" in attrs
 
 
-def _fitted(motions: Falls, asked: Levels, limit: float | None) -> tuple[Fragility | None, str]:
+def _fitted(motions: Falls, measure: str, limit: float | None) -> tuple[Fragility | None, str]:
     """The curve, or None and why there is none."""
     dataset = motions.to_xarray()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UndecidedWarning)  # the answer counts them
         try:
-            return fitted(dataset, dataset[asked.measure.name], limit=limit), ""
+            return fitted(dataset, dataset[measure], limit=limit), ""
         except RimrollError as error:
             return None, str(error)
 
@@ -123,19 +143,38 @@ def _numbers(curve: Fragility | None) -> dict[str, Any]:
 
 
 def answer(study: Study) -> dict[str, Any]:
-    """The study without its single motions, as a dictionary in SI units."""
-    measure, curve = study.levels.measure, study.curve
+    """The study without its single motions, as a dictionary in SI units.
+
+    The first limit state is at the top, too.
+    """
+    measure, rocking = study.levels.measure, study.rocking
+    states = [_state(study, one) for one in study.states]
     return {
         "parameters": study.motions.attrs,
         "measure": measure.name,
+        "horizontal": measure.horizontal,
         "unit": measure.unit,
-        "limit": study.rocking.limit,
         "records": {
-            name: {"duration": ground.duration, **{m.name: m.of(ground) for m in MEASURES.values()}}
+            name: {
+                "duration": ground.duration,
+                **{
+                    one.name: one.of(ground, rocking.body, rocking.options.gravity)
+                    for one in (Measure("pga"), Measure("pgv"), measure)
+                },
+            }
             for name, ground in study.done().items()
         },
-        "levels": study.rows(),
+        **states[0],
+        "limit_states": states,
+    }
+
+
+def _state(study: Study, one: LimitState) -> dict[str, Any]:
+    curve = one.curve
+    return {
+        "limit": one.limit,
+        "levels": one.rows(study),
         "curve": None if curve is None else {name: getattr(curve, name) for name in OF_CURVE},
-        "why_no_curve": study.why_not or None,
-        "undecided": dict(study.undecided()),
+        "why_no_curve": one.why_not or None,
+        "undecided": dict(one.undecided),
     }

@@ -9,7 +9,7 @@ from rich.table import Table
 
 from rimroll import _core
 from rimroll.cli.contact import in_words
-from rimroll.cli.fragility_study import Study
+from rimroll.cli.fragility_study import LimitState, Study
 from rimroll.cli.hints import undecided_hints
 from rimroll.cli.screen import prose, say, table, unbroken
 from rimroll.cli.turn import body_line, start_in_words
@@ -27,10 +27,11 @@ def show(study: Study, paths: list[Path]) -> None:
     say()
     say(_table(study))
     say()
-    prose(_curve_in_words(study))
-    if study.curve is not None and len(study.motions["ground"]) == 1:
+    for state in study.states:
+        prose(_curve_in_words(study, state))
+    if study.states[0].curve is not None and len(study.motions["ground"]) == 1:
         prose("this is the curve of one record; it says nothing about other earthquakes")
-    undecided = study.undecided()
+    undecided = study.states[0].undecided
     if undecided:
         words = ", ".join(
             f"{count} {ending_in_words(status)}" for status, count in undecided.items()
@@ -66,40 +67,46 @@ def _records_in_words(study: Study) -> str:
 
 def _table(study: Study) -> Table:
     """The counts at each level; accelerations in g, too."""
-    measure, far = study.levels.measure, _word(study)
-    in_g = study.axis == "pga"
-    heads = [f"{measure.name.upper()} ({_shown(measure.unit)})", "(g)"][: 1 + in_g]
-    rows = table(
-        *(heads if not study.levels.are_factors else ["scale"]), "motions", far, "undecided"
-    )
-    for row in study.rows():
-        level = row[study.axis]
+    measure, levels = study.levels.measure, study.motions[study.axis]
+    is_level = not study.levels.are_factors
+    in_g = is_level and measure.unit == "m/s^2"
+    unit = f" ({_shown(measure.unit)})" if measure.unit else ""
+    heads = [f"{measure.symbol}{unit}" if is_level else "scale", *["(g)"][:in_g], "motions"]
+    several = len(study.states) > 1
+    for state in study.states:
+        heads += [_word(state), "undecided" if not several else "(open)"]
+    rows = table(*heads)
+    counts = [state.rows(study) for state in study.states]
+    for place, level in enumerate(levels.tolist()):
         cells = [f"{level:.4g}", f"{level / _core.STANDARD_GRAVITY:.3g}"][: 1 + in_g]
-        rows.add_row(*cells, *(str(row[name]) for name in ("motions", "failed", "undecided")))
+        cells.append(str(counts[0][place]["motions"]))
+        for one in counts:
+            cells += [str(one[place]["failed"]), str(one[place]["undecided"])]
+        rows.add_row(*cells)
     return rows
 
 
-def _word(study: Study) -> str:
-    limit = study.rocking.limit
-    return "overturned" if limit is None else f"reached {limit:g}"
+def _word(state: LimitState) -> str:
+    return "overturned" if state.limit is None else f"reached {state.limit:g}"
 
 
 def _shown(unit: str) -> str:
     return unit.replace("^2", "²")
 
 
-def _curve_in_words(study: Study) -> str:
+def _curve_in_words(study: Study, state: LimitState) -> str:
     """The median and the dispersion with their intervals, or why there is no curve."""
-    curve, measure = study.curve, study.levels.measure
+    curve, measure = state.curve, study.levels.measure
+    what = "overturning" if state.limit is None else f"a tilt of {state.limit:g} balance tilts"
     if curve is None:
-        return f"no curve: {study.why_not}"
+        return f"no curve of {what}: {state.why_not}"
     unit = _shown(measure.unit)
-    what = "overturning" if curve.limit is None else f"a tilt of {curve.limit:g} balance tilts"
-    in_g = f" ({curve.median / _core.STANDARD_GRAVITY:.3g} g)" if measure.name == "pga" else ""
+    is_acceleration = measure.unit == "m/s^2"
+    in_g = f" ({curve.median / _core.STANDARD_GRAVITY:.3g} g)" if is_acceleration else ""
     return (
-        f"the probability of {what} is 50 % at a {measure.name.upper()} of"
-        f" {unbroken(f'{curve.median:.3g} {unit}')}{in_g}; dispersion {curve.dispersion:.2g};"
-        f" {_intervals_in_words(curve, unit)}"
+        f"the probability of {what} is 50 % at a {measure.symbol} of"
+        f" {unbroken(f'{curve.median:.3g} {unit}'.strip())}{in_g}; dispersion"
+        f" {curve.dispersion:.2g}; {_intervals_in_words(curve, unit)}"
     )
 
 
@@ -113,7 +120,8 @@ def _intervals_in_words(curve: Fragility, unit: str) -> str:
     if curve.records is not None:
         rest = f"jackknife over {_records(curve)}"
     return (
-        f"{100.0 * curve.level:g} % intervals {low:.3g} to {unbroken(f'{high:.3g} {unit}')} and"
+        f"{100.0 * curve.level:g} % intervals {low:.3g} to"
+        f" {unbroken(f'{high:.3g} {unit}'.strip())} and"
         f" {least:.2g} to {most:.2g} ({rest})"
     )
 

@@ -15,7 +15,7 @@ from rimroll.cli.options import BodyOptions, MotionOptions, StartOptions, comple
 from rimroll.cli.request import Shaking, is_file
 from rimroll.errors import RimrollError
 from rimroll.ground.described import NUMBERS, PULSES, Description
-from rimroll.motion.flat import KINDS, FlatLanding, flat_given
+from rimroll.motion.flat import KINDS, ON_MOVING_TABLES, FlatLanding, flat_given
 from rimroll.names import typed
 from rimroll.units import quantity
 
@@ -89,8 +89,7 @@ FLAT = (
     " restitution."
 )
 
-FlatOption = Annotated[str | None, _given(f"{FLAT} [stop]", "HOW", _KINDS, "Table")]
-FlatOfMany = Annotated[str | None, _given(f"{FLAT} [housner]", "HOW", _KINDS, "Table")]
+FlatOption = Annotated[str | None, _given(f"{FLAT} [{ON_MOVING_TABLES}]", "HOW", _KINDS, "Table")]
 
 
 @dataclass(frozen=True)

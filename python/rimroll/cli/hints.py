@@ -76,8 +76,9 @@ def undecided_hints(statuses: Container[str], law: Law, friction_option: str) ->
     """How to decide shaken motions that ended in these statuses."""
     found = {
         "lifted_off": _no_flight(law, friction_option),
-        "face_down": "motions go on where the base comes down flat with --flat housner",
-        "finished": "bodies beyond the balance tilt at the end fall or come back with a longer"
-        " --duration",
+        "face_down": "where the base comes down flat, the motion goes on with --flat housner,"
+        " smooth or a restitution",
+        "finished": "a longer --duration decides a motion that ends while the ground moves or the"
+        " body can still fall",
     }
     return [hint for status, hint in found.items() if status in statuses and hint]

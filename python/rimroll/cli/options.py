@@ -77,7 +77,13 @@ class BodyOptions:
         _option("Radius of the rim: of ring, disk, cylinder, or your own body.", "LENGTH", "Body"),
     ] = None
     length: Annotated[str | None, _option("Length of cylinder.", "LENGTH", "Body")] = None
-    mass: Annotated[str | None, _option("Your own body: its mass.", "MASS", "Body")] = None
+    mass: Annotated[
+        str | None, _option("Mass of cylinder, or of your own body.", "MASS", "Body")
+    ] = None
+    density: Annotated[
+        str | None,
+        _option("Density of cylinder: 2700kg/m3 is stone. [that of water]", "DENSITY", "Body"),
+    ] = None
     height: Annotated[
         str | None, _option("Height of its centre of mass above the base.", "LENGTH", "Body")
     ] = None
@@ -155,7 +161,8 @@ class _LawOptions:
     surface: Annotated[
         str | None,
         _option(
-            f"Dry friction of metal on {', '.join(surfaces.SURFACES)}: typical values.",
+            f"Dry friction of metal on {', '.join(surfaces.SURFACES)}, but stone on stone: typical"
+            " values.",
             "NAME",
             "Table",
             surfaces.SURFACES,

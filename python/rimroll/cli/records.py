@@ -16,12 +16,16 @@ from rimroll.cli.ranges import ends
 from rimroll.errors import RimrollError
 from rimroll.ground.collection import read_all
 from rimroll.ground.ground import MAX_FACTOR, Ground
+from rimroll.ground.peaks import HORIZONTAL
 from rimroll.ground.synthetic import synthetic
-from rimroll.names import choose
+from rimroll.names import choose, typed
 from rimroll.shaking.incremental import MEASURES, Measure
 from rimroll.units import quantity
 
 MAX_RECORDS, MAX_LEVELS = 1000, 1000
+
+OVERTURNING = "overturning"
+"""The limit state of a body that overturns."""
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -66,12 +70,33 @@ class IntensityOptions:
     measure: Annotated[
         str,
         typer.Option(
-            help="Measure of the intensity: pga or pgv, peaks of the horizontal vector.",
+            help="Measure of the intensity: pga, pgv, sa (with --period), pga-ratio, PGA/(g tan α),"
+            " or pgv-ratio, p PGV/(g tan α), with tan α = R/H and the rocking frequency p.",
             metavar="NAME",
             rich_help_panel="Intensity",
-            autocompletion=completing(MEASURES),
+            autocompletion=completing(map(typed, MEASURES)),
         ),
     ] = "pga"
+    horizontal: Annotated[
+        str,
+        typer.Option(
+            help="How both horizontal components become one number: vector (the largest magnitude),"
+            " rotd50 or geomean.",
+            metavar="HOW",
+            rich_help_panel="Intensity",
+            autocompletion=completing(HORIZONTAL),
+        ),
+    ] = "vector"
+    period: Annotated[
+        str | None,
+        typer.Option(help="Natural period of sa.", metavar="TIME", rich_help_panel="Intensity"),
+    ] = None
+    damping: Annotated[
+        str | None,
+        typer.Option(
+            help="Damping ratio of sa. [5%]", metavar="RATIO", rich_help_panel="Intensity"
+        ),
+    ] = None
     intensities: Annotated[
         str | None,
         typer.Option(
@@ -101,9 +126,9 @@ class IntensityOptions:
     limit: Annotated[
         str | None,
         typer.Option(
-            help="Largest tilt over the balance tilt that counts as failure, such as 0.5."
-            " [overturning]",
-            metavar="RATIO",
+            help="Largest tilt over the balance tilt that counts as failure, such as 0.5; several"
+            " limit states in a list: 0.25,0.5,overturning. [overturning]",
+            metavar="LIST",
             rich_help_panel="Intensity",
         ),
     ] = None
@@ -140,13 +165,24 @@ def _files_of(word: Path) -> Path | list[Path]:
     return [Path(part.strip()) for part in str(word).split(",")]
 
 
-def requested_limit(options: IntensityOptions) -> float | None:
-    """The tilt that counts as failure, over the balance tilt; None for overturning."""
+def requested_limits(options: IntensityOptions) -> tuple[float | None, ...]:
+    """The tilts that count as failure, over the balance tilt; None for overturning."""
     if options.limit is None:
+        return (None,)
+    limits = tuple(map(_limit, options.limit.split(",")))
+    if len(set(limits)) < len(limits):
+        raise RimrollError(f"--limit has a limit state twice: {options.limit!r}")
+    return limits
+
+
+def _limit(text: str) -> float | None:
+    if text.strip().lower() == OVERTURNING:
         return None
-    ratio = quantity(options.limit, "1", "--limit")
+    ratio = quantity(text, "1", "--limit")
     if not 0.0 < ratio <= 1.0:
-        raise RimrollError(f"--limit must be above 0 and at most 1, got {ratio:g}")
+        raise RimrollError(
+            f"--limit must be above 0 and at most 1, or {OVERTURNING}, got {ratio:g}"
+        )
     return ratio
 
 
@@ -162,7 +198,7 @@ class Levels:
 
 def requested_levels(options: IntensityOptions) -> Levels:
     """The levels that options describe; ``RimrollError`` naming the option that is at fault."""
-    measure = choose("measure", options.measure, MEASURES)
+    measure = _measure(options)
     if options.intensities is not None and options.scale is not None:
         raise RimrollError("--intensities and --scale both say how strong: give one")
     points = options.levels or 10
@@ -174,12 +210,29 @@ def requested_levels(options: IntensityOptions) -> Levels:
         return Levels(measure, True, factors, len(factors))
     if options.intensities is None:
         return Levels(measure, False, None, points)
-    examples = "0.2g..1g or 0.2g,0.4g" if measure.name == "pga" else "0.2..1m/s or 20cm/s,40cm/s"
-    option, unit = "--intensities", measure.unit
+    option, unit = "--intensities", measure.unit or "1"
+    examples = {"m/s^2": "0.2g..1g or 0.2g,0.4g", "m/s": "0.2..1m/s or 20cm/s,40cm/s"}.get(
+        unit, "1..4 or 1,2,4"
+    )
     levels = _values(options.intensities, unit, option, examples, options.levels)
     if not (levels > 0.0).all():
         raise RimrollError(f"{option} must be > 0, got {levels.min():g} {unit}")
     return Levels(measure, False, levels, len(levels))
+
+
+def _measure(options: IntensityOptions) -> Measure:
+    """The measure of the intensity."""
+    name = choose("measure", options.measure, {name: name for name in MEASURES})
+    horizontal = choose("horizontal", options.horizontal, {name: name for name in HORIZONTAL})
+    for option, text in (("--period", options.period), ("--damping", options.damping)):
+        if text is not None and name != "sa":
+            raise RimrollError(f"{option} is that of the oscillator of --measure sa")
+    if name != "sa":
+        return Measure(name, horizontal)
+    if options.period is None:
+        raise RimrollError("--measure sa needs --period, the natural period of its oscillator")
+    period = quantity(options.period, "s", "--period")
+    return Measure(name, horizontal, period, quantity(options.damping or "5%", "1", "--damping"))
 
 
 def _values(text: str, unit: str, option: str, examples: str, points: int | None) -> Array:

@@ -22,7 +22,7 @@ from rimroll.experiment.release import nudged
 from rimroll.given import positive
 from rimroll.ground.described import AFTER
 from rimroll.ground.ground import Ground
-from rimroll.motion.flat import FlatLanding
+from rimroll.motion.flat import FlatLanding, landing_given
 from rimroll.names import choose
 from rimroll.options import Options
 from rimroll.scenario import Scenario, load, presets
@@ -30,7 +30,7 @@ from rimroll.state import State
 from rimroll.units import START_UNIT_OF, UNIT_OF, quantity, size_of_body, tilt_angle
 
 NUMBERS = ("mass", "radius", "height", "transverse_inertia", "axial_inertia")
-SIZES = (*NUMBERS, "length", "fill")
+SIZES = (*NUMBERS, "length", "density", "fill")
 DEFAULT = "can_2007"
 
 
@@ -115,9 +115,10 @@ def _shaken(
     shaking: Shaking | None, scenario: Scenario | None, file: Path | None
 ) -> tuple[Ground | None, FlatLanding]:
     """The ground and the flat landing of the options, or else of the file."""
-    ground, flat = (scenario.ground, scenario.flat) if scenario else (None, "stop")
+    ground = scenario.ground if scenario else None
+    has_flat = bool(scenario and scenario.has_flat)
     if shaking is None:
-        if ground is not None or flat != "stop":
+        if ground is not None or has_flat:
             raise RimrollError(
                 f"{file}: [ground] and flat are for rimroll simulate, shake and fragility"
             )
@@ -126,7 +127,9 @@ def _shaken(
         ground = shaking.ground
     elif ground is not None:
         ground = shaking.change(ground)
-    return ground, flat if shaking.flat is None else shaking.flat
+    flat = scenario.flat if scenario and has_flat else None
+    given = flat if shaking.flat is None else shaking.flat
+    return ground, landing_given(given, ground is not None)
 
 
 def is_file(name: str) -> bool:

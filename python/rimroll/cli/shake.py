@@ -47,11 +47,15 @@ def shake(
 ) -> int:
     """A body on a table that moves, as in an earthquake.
 
-    The table moves as a record of an earthquake, or as a pulse.
+    The table moves as a record of an earthquake, or as a pulse. A slope of angle b is a
+    rectangular pulse of g sin b with a gravity of g cos b. The body is rigid, without drums.
     The body stands unless a start is given, and rolls without slip unless another law is given.
     A --tilt-rate without a --tilt is a knock to a body that stands.
     A motion is followed until 10 s after the ground has come to rest, unless --duration is given.
     In files, times may repeat where the contact changes: once as before, once as after.
+    The exit code is 3 if it is undecided whether the body overturns, as where the motion stops
+    early or the ground still moves at its end; in JSON, overturned is then null. Where the body
+    will stand is undecided, and null, while it still rocks.
 
     Examples:
 

@@ -14,6 +14,7 @@ from rimroll import motion as motions
 from rimroll.cli.contact import in_words
 from rimroll.cli.files import FORMS, Record, summary
 from rimroll.cli.formats import STDOUT, check, form_of, write
+from rimroll.cli.hints import undecided_hints
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
@@ -33,6 +34,9 @@ from rimroll.motion.shaken import shaken_in_words
 from rimroll.units import quantity
 
 MAX_POINTS = 10_000_000
+
+UNDECIDED = 3
+"""The exit code where it is undecided whether a body on a table that moves overturns."""
 
 SAMPLED = (".csv", ".nc", ".json")
 """The forms that hold the motion point by point."""
@@ -133,7 +137,10 @@ class Output:
             show_json({**summary(record), "files": [str(file) for file in self.files]})
         elif STDOUT not in self.files:
             _show(record, self.files)
-        return int(computed.status == "failed")
+        if computed.status == "failed":
+            return 1
+        is_undecided = computed.ground is not None and computed.overturned is None
+        return UNDECIDED if is_undecided else 0
 
 
 def _check_spacing(points: int | None, every: float | None, files: list[Path]) -> None:
@@ -206,9 +213,10 @@ def _show(record: Record, files: list[Path]) -> None:
 def _show_shaken(motion: Motion) -> None:
     say()
     prose(f"{in_words(motion.law)}: {motion.message_in_degrees}")
-    if motion.status == "face_down":
-        prose("the motion goes on with --flat housner, smooth or a restitution")
     prose(shaken_in_words(motion), 0)
+    if motion.overturned is None:
+        for hint in undecided_hints((motion.status,), motion.law, "--friction"):
+            prose(hint)
 
 
 def _phases(motion: Motion) -> list[str]:

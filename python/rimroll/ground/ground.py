@@ -14,7 +14,8 @@ from rimroll import _core
 from rimroll.errors import RimrollError, hold
 from rimroll.given import Number, Values, number, numbers, positive
 from rimroll.ground.lines import Lines, lines_of
-from rimroll.ground.peaks import Peak, peak_of
+from rimroll.ground.peaks import HORIZONTAL, Peak, along, combined, peak_of
+from rimroll.names import choose
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -156,6 +157,58 @@ class Ground:
     def peak_displacement(self) -> Peak:
         """The largest of the :meth:`displacement`, m, found as :attr:`peak_velocity`."""
         return peak_of(self._lines.displacement)
+
+    def intensity(
+        self,
+        measure: str = "pga",
+        horizontal: str = "vector",
+        *,
+        period: Number | None = None,
+        damping: Number = 0.05,
+    ) -> float:
+        """A measure of the intensity of the horizontal motion, m/s² or m/s.
+
+        Parameters
+        ----------
+        measure
+            ``pga``, the largest acceleration; ``pgv``, the largest velocity; ``sa``, the largest
+            pseudo-acceleration of a linear oscillator.
+        horizontal
+            How both components become one number. ``vector``: the largest magnitude of the vector,
+            which is RotD100. ``rotd50``: the median over all directions of the largest component
+            along a direction (Boore, Bull. Seism. Soc. Am. 100, 2010), in steps of 1°; of a record
+            along one line it is 0.71 of its peak. ``geomean``: the geometric mean of the peaks
+            along x and y, which depends on the direction of x; 0 if one of them is 0.
+        period, damping
+            Natural period (s) and damping ratio of the oscillator of ``sa``.
+
+        Raises
+        ------
+        RimrollError
+            An unknown word, ``sa`` without a period, a period without ``sa``, and as
+            :meth:`response_spectrum`.
+
+        Examples
+        --------
+        >>> import rimroll as rr
+        >>> wave = rr.ground.sine((3.0, 3.0, 0.0), (0.5, 0.7, 1.0))
+        >>> [round(wave.intensity("pga", how), 3) for how in ("vector", "rotd50", "geomean")]
+        [4.102, 3.0, 3.0]
+        """
+        quantity = choose("measure", measure, {name: name for name in ("pga", "pgv", "sa")})
+        how = choose("horizontal", horizontal, {name: name for name in HORIZONTAL})
+        if (period is None) == (quantity == "sa"):
+            raise RimrollError("period is that of the oscillator of sa: give both or none")
+        if period is not None:
+            from rimroll.ground.spectrum import spectral_acceleration
+
+            one = positive("period", period, "s")
+            return spectral_acceleration(self._lines, one, damping, how)
+        peak = self.peak if quantity == "pga" else self.peak_velocity
+        if how == "vector":
+            return peak.horizontal
+        of_lines = self._lines.acceleration if quantity == "pga" else self._lines.velocity
+        return combined(lambda one: np.abs(along(of_lines, one)).max(axis=1), how)
 
     def response_spectrum(self, periods: Values, damping: Number = 0.05) -> xr.Dataset:
         """The largest responses of linear oscillators on this ground.

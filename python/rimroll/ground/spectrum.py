@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rimroll.errors import RimrollError, hold
 from rimroll.given import Number, Values, number, numbers
 from rimroll.ground.lines import MAX_POINTS, Lines
+from rimroll.ground.peaks import along, combined
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -33,10 +34,8 @@ def response_spectrum(lines: Lines, periods: Values, damping: Number) -> xr.Data
     if period.ndim != 1 or not period.size:
         raise RimrollError(f"periods must be a flat array, got shape {period.shape}")
     hold("periods", period, (period > 0.0) & np.isfinite(period), "> 0 and finite", "s")
-    ratio = number("damping", damping)
-    if not 0.0 <= ratio < 1.0:
-        raise RimrollError(f"damping must be between 0 and below 1, got {ratio:g}")
-    largest = np.array([largest_displacement(lines, one, ratio) for one in period.tolist()])
+    ratio = _damping_ratio(damping)
+    largest = np.array([_highest(*oscillation(lines, one, ratio)) for one in period.tolist()])
     omega = (2.0 * math.pi / period)[:, np.newaxis]
     dims = ("period", "component")
     return xr.Dataset(
@@ -50,8 +49,25 @@ def response_spectrum(lines: Lines, periods: Values, damping: Number) -> xr.Data
     )
 
 
-def largest_displacement(lines: Lines, period: float, damping: float) -> Array:
-    """The largest displacements of an oscillator along x, y and z, (3,), m.
+def _damping_ratio(damping: Number) -> float:
+    ratio = number("damping", damping)
+    if not 0.0 <= ratio < 1.0:
+        raise RimrollError(f"damping must be between 0 and below 1, got {ratio:g}")
+    return ratio
+
+
+def spectral_acceleration(lines: Lines, period: float, damping: Number, how: str) -> float:
+    """The horizontal pseudo-acceleration of one oscillator, m/s², by one of ``HORIZONTAL``."""
+    u, moved = oscillation(lines, period, _damping_ratio(damping))
+
+    def largest(directions: Array) -> Array:
+        return _highest(along(u.T, directions), along(moved.T, directions))
+
+    return (2.0 * math.pi / period) ** 2 * combined(largest, how)
+
+
+def oscillation(lines: Lines, period: float, damping: float) -> tuple[Array, Array]:
+    """The displacements of an oscillator along x, y and z, and their slopes per step, (3, n), m.
 
     u″ + 2ζωu′ + ω²u = −a is solved by u = Im q/ω′ with q′ = s q − a, s = −ζω + iω′ and
     ω′ = ω √(1 − ζ²). Over a line of the acceleration the integral of this is exact.
@@ -71,7 +87,7 @@ def largest_displacement(lines: Lines, period: float, damping: float) -> Array:
     during = _forces(lines, s, step, math.ceil(shaken - ROUNDING))
     forces[:, : during.shape[1]] = during
     q = lfilter([1.0], [1.0, -np.exp(s * step)], forces)
-    return _highest(q.imag, step * (s * q).imag) / s.imag
+    return q.imag / s.imag, step * (s * q).imag / s.imag
 
 
 def _forces(lines: Lines, s: complex, step: float, count: int) -> Complex:
@@ -91,7 +107,7 @@ def _forces(lines: Lines, s: complex, step: float, count: int) -> Complex:
 
 
 def _highest(u: Array, moved: Array) -> Array:
-    """The largest magnitude of curves (3, n), which begin at 0, between their points, too.
+    """The largest magnitude of curves (k, n), which begin at 0, between their points, too.
 
     ``moved`` is their slope per step. Between two points the curve is Hermite's cubic, with the
     extremum at the root of a quadratic.

@@ -16,6 +16,17 @@ FlatLanding = str | float | tuple[str, int]
 KINDS = ("stop", "smooth", "smooth_left", "smooth_right", "housner")
 
 
+ON_MOVING_TABLES: FlatLanding = "housner"
+"""What follows on a table that moves unless it is given: a plastic collision."""
+
+
+def landing_given(flat: object, moves: bool) -> FlatLanding:
+    """As :func:`flat_given`; None stands for ``housner`` on a table that moves, else ``stop``."""
+    if flat is None:
+        return ON_MOVING_TABLES if moves else "stop"
+    return flat_given(flat)
+
+
 def flat_given(flat: object) -> FlatLanding:
     """A flat landing as users give it, or as a text; raises ``RimrollError`` for another value."""
     if isinstance(flat, str):

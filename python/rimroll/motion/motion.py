@@ -180,12 +180,16 @@ class Motion(Moments):
         return footprint_of(self, self.body)
 
     @property
-    def overturned(self) -> bool:
-        """Whether the body toppled, that is, reached :attr:`topple_tilt`.
+    def overturned(self) -> bool | None:
+        """Whether the body toppled, that is, reached :attr:`topple_tilt`; None if undecided.
 
-        Under a law without flight, a rim that lifts off beyond the balance tilt also counts.
+        Under a law without flight, a rim that lifts off beyond the balance tilt also counts. It is
+        decided that a body does not overturn where the table no longer moves and the body stands,
+        slides flat, has less energy than at its balance tilt, or repeats a rocking without loss. A
+        motion that stops before that,
+        as where it came down flat with ``flat="stop"``, is undecided.
         """
-        return self._core.overturning_time is not None
+        return None if self._core.undecided else self._core.overturning_time is not None
 
     @property
     def overturning_time(self) -> float | None:
@@ -208,18 +212,26 @@ class Motion(Moments):
         return self.max_tilt / float(balance_tilt(self.body))
 
     @property
-    def residual_displacement(self) -> Array:
-        """How far the :attr:`footprint` has moved on the table (x, y) from start to end, m."""
-        displacement: Array = self.footprint[-1] - self.footprint[0]
-        return displacement
+    def stands(self) -> bool:
+        """Whether the body stands at the end, on a table that no longer moves."""
+        return self._core.stands
 
     @property
-    def residual_yaw(self) -> float:
-        """The angle by which the body has turned about the vertical from start to end, rad.
+    def residual_displacement(self) -> Array | None:
+        """How far the :attr:`footprint` has moved on the table (x, y) in the end, m.
 
-        It is the change of yaw + spin, and says where the body faces if it is upright at the end.
+        None unless the body :attr:`stands` at the end: a body that rolls or slides still moves.
         """
-        return float(self.body_yaw[-1] - self.body_yaw[0])
+        displacement: Array = self.footprint[-1] - self.footprint[0]
+        return displacement if self.stands else None
+
+    @property
+    def residual_yaw(self) -> float | None:
+        """The angle by which the body has turned about the vertical in the end, rad.
+
+        It is the change of yaw + spin; None unless the body :attr:`stands` at the end.
+        """
+        return float(self.body_yaw[-1] - self.body_yaw[0]) if self.stands else None
 
     def __repr__(self) -> str:
         turns = ", ".join(f"{np.degrees(turn.angle):.4f} deg" for turn in self.turns[:3])
@@ -319,9 +331,11 @@ class Motion(Moments):
 
         For each of ``max_tilt`` (rad), ``uplift_time`` (s), ``end_time`` (s), ``residual_x`` and
         ``residual_y`` (m) and ``residual_yaw`` (rad), the derivative by each parameter, in SI
-        units. They include the change of the times of events: the largest tilt follows its maximum,
-        and the end of a motion that topples is the moment at which it does. Like :meth:`jacobian`,
-        they need a motion simulated with ``jacobian=True``.
+        units. The last three are those of the displacement of the footprint and of the turn of the
+        body at the end of the motion, whether or not the body stands there. They include the change
+        of the times of events: the largest tilt follows its maximum, and the end of a motion that
+        topples is the moment at which it does. Like :meth:`jacobian`, they need a motion simulated
+        with ``jacobian=True``.
 
         >>> import rimroll as rr
         >>> column = rr.bodies.cylinder(radius=0.5, length=4.0)

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rimroll.body import Body
+from rimroll.endings import STATUSES
 from rimroll.motion.moments import Array, Moments
+from rimroll.theory import balance_tilt
 
 if TYPE_CHECKING:
     from rimroll.motion.motion import Motion
@@ -48,14 +50,49 @@ def shaken_in_words(motion: Motion) -> str:
         )
     if motion.overturned:
         sentences.append(f"It overturned at {motion.overturning_time:.6g} s.")
-        return " ".join(sentences)
-    x, y = motion.residual_displacement
-    turned = np.degrees(motion.residual_yaw)
-    sentences.append(
-        f"It did not overturn; at the end its footprint was displaced by {np.hypot(x, y):.4g} m"
-        f" (x {x:.4g}, y {y:.4g}) and the body had turned by {turned:.4g}°."
-    )
+    elif motion.overturned is None:
+        sentences.append(f"It is undecided whether it overturns: {_why_undecided(motion)}.")
+    else:
+        sentences.append(f"It did not overturn. {_end_in_words(motion)}")
     return " ".join(sentences)
+
+
+def _why_undecided(motion: Motion) -> str:
+    end, ground = float(motion.t[-1]), motion.ground
+    if motion.status != "finished":
+        return f"the motion stopped at {end:.6g} s, where the body {STATUSES[motion.status]}"
+    if ground is not None and end < ground.duration:
+        return f"the motion ends at {end:.6g} s, and the ground moves until {ground.duration:.6g} s"
+    tilt = np.degrees(motion.tilt[-1])
+    return f"at the end, at a tilt of {tilt:.4g}°, it can still pass its balance tilt"
+
+
+def _end_in_words(motion: Motion) -> str:
+    """Where a body that has not overturned is at the end, or why that is not determined."""
+    end = float(motion.t[-1])
+    displacement, yaw = motion.residual_displacement, motion.residual_yaw
+    if displacement is not None and yaw is not None:
+        x, y = displacement
+        return (
+            f"At the end it stands, its footprint displaced by {np.hypot(x, y):.4g} m"
+            f" (x {x:.4g}, y {y:.4g}) and the body turned by {np.degrees(yaw):.4g}°."
+        )
+    if motion.phases[-1].kind == "sliding_flat":
+        return f"At {end:.6g} s it still slides, so that where it will stand is undecided."
+    tops = [event.state.tilt for event in motion.events if event.kind == "tilt_max"]
+    tilt = max([*tops[-1:], float(motion.tilt[-1])])
+    since = 0.0 if motion.ground is None else min(motion.ground.duration, end)
+    energy = float(motion.evaluate(since).energy[0])
+    lost = 100.0 * (energy - float(motion.energy[-1])) / energy
+    why = "a longer motion shows where it stands"
+    if not motion.law.resistances:
+        why = "nothing in this law takes its energy while it rolls; a rolling resistance does"
+    return (
+        f"At {end:.6g} s it still rocks, up to {np.degrees(tilt):.4g}°,"
+        f" {tilt / float(balance_tilt(motion.body)):.4g} of the balance tilt, so that where it will"
+        f" stand and how far it turns is undecided. Since the ground came to rest it has lost"
+        f" {lost:.2g} % of its energy; {why}."
+    )
 
 
 def _uplift_in_words(motion: Motion) -> str:

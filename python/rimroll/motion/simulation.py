@@ -10,7 +10,7 @@ from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, callback, expect
 from rimroll.given import Number, number
 from rimroll.laws import Law, one_law
-from rimroll.motion.flat import FlatLanding, flat_given, ground_given
+from rimroll.motion.flat import FlatLanding, ground_given, landing_given
 from rimroll.motion.motion import Motion, follow
 from rimroll.options import Options
 from rimroll.polygon.body import PolygonalBody
@@ -49,7 +49,7 @@ def simulate(
     topple_tilt: Number | None = None,
     max_steps: int = 1_000_000,
     ground: Ground | None = None,
-    flat: FlatLanding = "stop",
+    flat: FlatLanding | None = None,
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
 ) -> Motion: ...
@@ -66,7 +66,7 @@ def simulate(
     topple_tilt: Number | None = None,
     max_steps: int = 1_000_000,
     ground: Ground | None = None,
-    flat: FlatLanding = "stop",
+    flat: FlatLanding | None = None,
     restitution: float = 0.0,
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
@@ -104,7 +104,8 @@ def simulate(
         then relative to the table. After its end the table is at rest.
     flat
         What follows where the whole base comes down flat at once, as in planar motions, which
-        rigid-body mechanics does not determine. ``stop``: the motion ends as ``face_down``.
+        rigid-body mechanics does not determine; by default ``housner`` with a ground, else
+        ``stop``. ``stop``: the motion ends as ``face_down``.
         ``smooth``: the limit of near-collisions, which lose no energy; the contact point runs round
         the rim to a side that is drawn at random, always the same for the same motion, or to the
         given side with ``smooth_left`` (yaw increases) and ``smooth_right``; ``("smooth", seed)``
@@ -158,7 +159,7 @@ def simulate(
     if isinstance(body, PolygonalBody):
         from rimroll.polygon.motion import follow as follow_corners
 
-        if ground is not None or flat != "stop" or jacobian:
+        if ground is not None or flat not in (None, "stop") or jacobian:
             raise RimrollError("a body with corners takes no ground, flat or jacobian")
         callback("progress", progress)
         bounce = number("restitution", restitution)
@@ -168,6 +169,6 @@ def simulate(
             "the restitution of a round body belongs to its law: Coulomb(0.3, restitution=0.5)"
         )
     moving = ground_given(ground)
-    landing = flat_given(flat)
+    landing = landing_given(flat, moving is not None)
     callback("progress", progress)
     return follow(body, single(start), law, options, bool(jacobian), progress, moving, landing)

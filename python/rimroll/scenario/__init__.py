@@ -37,6 +37,8 @@ class Scenario:
     options: Options
     ground: Ground | None = None
     flat: FlatLanding = "stop"
+    has_flat: bool = False
+    """Whether the file says what follows a flat landing, which else is ``housner`` on a ground."""
     has_duration: bool = False
     """Whether the file gives the duration, which else is 10 s longer than that of a ground."""
 

@@ -37,7 +37,7 @@ from rimroll.laws import (
     RollingResistance,
     parameters_of,
 )
-from rimroll.motion.flat import FlatLanding, flat_given
+from rimroll.motion.flat import FlatLanding, landing_given
 from rimroll.names import choose, nearest, typed
 from rimroll.options import Options
 from rimroll.scenario import (
@@ -160,7 +160,7 @@ class SimulationTable(Table):
     rtol: Annotated[float, in_unit("1")] = Options.rtol
     topple_tilt: Tilt | None = None
     max_steps: Annotated[int, Field(gt=0, le=MAX_STEPS)] = Options.max_steps
-    flat: Any = "stop"
+    flat: Any = None
 
 
 def in_three(unit: str) -> BeforeValidator:
@@ -272,14 +272,15 @@ def scenario(content: dict[str, Any], folder: Path = Path()) -> Scenario:
         law=read_law(file.law, body, simulation.gravity),
         options=options,
         ground=ground,
-        flat=made("[simulation]", lambda: read_flat(simulation.flat)),
+        flat=made("[simulation]", lambda: read_flat(simulation.flat, ground is not None)),
+        has_flat=simulation.flat is not None,
         has_duration=has_duration,
     )
 
 
-def read_flat(given: object) -> FlatLanding:
+def read_flat(given: object, moves: bool) -> FlatLanding:
     """What follows a flat landing: a text, a number, or a list of "smooth" and a seed."""
-    return flat_given(tuple(given) if isinstance(given, list) else given)
+    return landing_given(tuple(given) if isinstance(given, list) else given, moves)
 
 
 def read_ground(given: dict[str, Any], folder: Path) -> Ground:

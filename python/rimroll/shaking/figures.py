@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +15,7 @@ from matplotlib.patches import Patch
 from rimroll import style
 
 if TYPE_CHECKING:
+    from rimroll.falls import Falls
     from rimroll.shaking.lognormal import Counts, Fragility
     from rimroll.shaking.maxima import Maxima
     from rimroll.shaking.overturning import OverturningSpectrum
@@ -36,17 +38,24 @@ def _panel() -> tuple[Figure, Axes]:
 
 def rocking_figure(spectrum: RockingSpectrum) -> Figure:
     """The largest tilt over the balance tilt against 2π/p."""
-    period, fell = spectrum.period, spectrum.overturned
+    period, handles = spectrum.period, []
+    shades = (
+        (spectrum.overturned, OVERTURNED, "overturns"),
+        (spectrum.undecided, UNDECIDED, "not determined"),
+    )
     with style.figure_style():
         figure, ax = _panel()
         ax.plot(period, spectrum.max_tilt_ratio, ".-", color=style.SERIES[0], ms=3.0)
-        for begin, end in _intervals(period, fell):
-            ax.axvspan(begin, end, color=OVERTURNED, lw=0.0)
+        for which, color, words in shades:
+            for begin, end in _intervals(period, which):
+                ax.axvspan(begin, end, color=color, lw=0.0)
+            if which.any():
+                handles.append(Patch(color=color, label=words))
         ax.set_xlim(period.min(), period.max())
         ax.set_ylim(bottom=0.0)
         style.label(ax, "", "rocking spectrum", "period $2π/p$ (s)", "largest tilt / balance tilt")
-        if fell.any():
-            ax.legend(handles=[Patch(color=OVERTURNED, label="overturns")], loc="upper right")
+        if handles:
+            ax.legend(handles=handles, loc="upper right")
     return figure
 
 
@@ -103,47 +112,139 @@ def overturning_figure(spectrum: OverturningSpectrum) -> Figure:
     return figure
 
 
+LimitState = tuple["Counts", "Fragility | None", float | None]
+"""The data of a limit state, its curve, and its largest tilt over the balance tilt, or None."""
+
+FRACTILES = (0.16, 0.5, 0.84)
+"""The fractiles of the largest tilts: the median and, of a normal distribution, one deviation."""
+
+TOPPLED = 1.3
+"""Where the largest tilt of a body that overturned is drawn, over the balance tilt."""
+
+
 def fragility_figure(
     counts: Counts, curve: Fragility | None, label: str, limit: float | None = None
 ) -> Figure:
     """The fractions that overturned or reached a limit, and the curve with its median's interval.
 
-    A curve of motions that share records also has the band of :meth:`Fragility.band`.
+    A curve of motions that share records also has the band of :meth:`Fragility.band`. The unit of
+    θ is what the label has in parentheses at its end.
 
     Trials of the same intensity are one point. Without a curve there are only the points.
     """
-    low, high = counts.intensity.min(), counts.intensity.max()
-    margin = 0.08 * np.log(max(high / low, 1.01))
-    x = np.exp(np.linspace(np.log(low) - margin, np.log(high) + margin, 300))
-    event = "overturning" if limit is None else f"a tilt ≥ {limit:g} of the balance tilt"
     with style.figure_style():
         figure, ax = _panel()
+        _draw_states(ax, [(counts, curve, limit)], label)
+        style.label(ax, "", "fragility", label, f"probability of {_event(limit)}")
+    return figure
+
+
+def incremental_figure(
+    states: Sequence[LimitState], motions: Falls, intensity: np.ndarray, label: str
+) -> Figure:
+    """Fragility curves of limit states, and the largest tilt against the intensity.
+
+    The second panel has a line for each record (incremental dynamic analysis): the columns of
+    ``motions`` are over records and levels, as is ``intensity``. A body that overturned lies on the
+    right edge, and one that is undecided is left out. Where all records have the same intensities,
+    there are fractiles of the tilt at each.
+    """
+    with style.figure_style():
+        figure = style.page(HEIGHT, 2.0 * WIDTH)
+        one, other = figure.subplots(1, 2)
+        _draw_states(one, states, label)
+        only = states[0][2] if len(states) == 1 else None
+        event = _event(only) if len(states) == 1 else "the limit state"
+        style.label(one, "a", "fragility", label, f"probability of {event}")
+        _draw_tilts(other, motions, intensity)
+        for _, _, limit in states:
+            other.axvline(limit or 1.0, color=style.CONTRAST, ls="--", lw=0.7)
+        title = f"incremental, {len(intensity)} record{'s' * (len(intensity) > 1)}"
+        style.label(other, "b", title, "largest tilt / balance tilt", label)
+    return figure
+
+
+def _event(limit: float | None) -> str:
+    return "overturning" if limit is None else f"a tilt ≥ {limit:g} of the balance tilt"
+
+
+def _draw_states(ax: Axes, states: Sequence[LimitState], label: str) -> None:
+    every = np.concatenate([counts.intensity for counts, *_ in states])
+    low, high = every.min(), every.max()
+    margin = 0.08 * np.log(max(high / low, 1.01))
+    x = np.exp(np.linspace(np.log(low) - margin, np.log(high) + margin, 300))
+    unit = label[label.rindex("(") + 1 : -1] if label.endswith(")") and " (" in label else ""
+    several = len(states) > 1
+    for place, (counts, curve, limit) in enumerate(states):
+        color = style.SERIES[place % len(style.SERIES)]
+        words = f"{_short(limit)}: " if several else ""
         if curve is not None:
-            _draw_curve(ax, curve, x)
+            if not several:
+                _draw_intervals(ax, curve, x)
+            ax.plot(x, curve(x), color=color, label=words + _parameters(curve, unit))
         intensity, fraction = _fractions(counts)
         ax.plot(
             intensity,
             fraction,
             "o",
-            color=style.MEASURED,
+            color=color if several else style.MEASURED,
             markerfacecolor="none",
-            label=_motions(counts),
+            label=None if several and curve is not None else words + _motions(counts),
             alpha=0.7,
         )
-        ax.set_xlim(x[0], x[-1])
-        ax.set_ylim(-0.03, 1.03)
-        style.label(ax, "", "fragility", label, f"probability of {event}")
-        ax.legend(loc="best")
-    return figure
+    ax.set_xlim(x[0], x[-1])
+    ax.set_ylim(-0.03, 1.03)
+    ax.legend(loc="best")
 
 
-def _draw_curve(ax: Axes, curve: Fragility, x: np.ndarray) -> None:
+def _short(limit: float | None) -> str:
+    return "overturning" if limit is None else f"≥ {limit:g}"
+
+
+def _draw_intervals(ax: Axes, curve: Fragility, x: np.ndarray) -> None:
+    """The band of a curve, and the interval of its median with the number of records."""
     if curve.without is not None:
         ax.fill_between(x, *curve.band(x), color=style.SERIES[0], alpha=0.15, lw=0.0)
-    ax.plot(x, curve(x), color=style.SERIES[0], label=_parameters(curve))
     ends = np.clip(curve.median_interval, x[0], x[-1])
-    words = f"{100.0 * curve.level:g} % interval of θ"
+    of = "" if curve.records is None else f", {curve.records} records"
+    words = f"{100.0 * curve.level:g} % interval of θ{of}"
     ax.plot(ends, [0.5, 0.5], "|-", color=style.THEORY, lw=0.9, label=words)
+
+
+def _draw_tilts(ax: Axes, motions: Falls, intensity: np.ndarray) -> None:
+    """The largest tilt of each record against the intensity, and fractiles over the records."""
+    fell, undecided = (np.asarray(motions[name], bool) for name in ("overturned", "undecided"))
+    ratio = np.where(fell, np.inf, np.asarray(motions["max_tilt_ratio"]))
+    ratio[undecided] = np.nan
+    for tilts, levels in zip(ratio, intensity, strict=True):
+        order = np.argsort(levels)
+        shown = np.minimum(tilts, TOPPLED)[order]
+        ax.plot(
+            shown,
+            levels[order],
+            ".-",
+            color=style.CONTRAST,
+            lw=0.5,
+            ms=2.0,
+            alpha=0.5,
+            clip_on=False,
+        )
+    if np.allclose(intensity, intensity[0]) and len(ratio) > 1:
+        for part, dashes in zip(FRACTILES, ("--", "-", ":"), strict=True):
+            levels = [_fractile(column, part) for column in ratio.T]
+            words = f"{100.0 * part:g} % fractile"
+            ax.plot(levels, intensity[0], dashes, color=style.SERIES[0], label=words)
+        ax.legend(loc="lower right")
+    ax.set_xlim(0.0, TOPPLED)
+    ax.set_xticks([0.0, 0.25, 0.5, 0.75, 1.0, TOPPLED], ["0", "0.25", "0.5", "0.75", "1", "fell"])
+
+
+def _fractile(tilts: np.ndarray, part: float) -> float:
+    """The least tilt that a part of the decided motions does not exceed; NaN without any."""
+    known = np.sort(tilts[~np.isnan(tilts)])
+    if not known.size:
+        return float("nan")
+    return float(min(known[max(0, int(np.ceil(part * len(known))) - 1)], TOPPLED))
 
 
 def _fractions(counts: Counts) -> tuple[np.ndarray, np.ndarray]:
@@ -161,8 +262,8 @@ def _motions(counts: Counts) -> str:
     return f"{words}; {left_out:.0f} others undecided" if left_out else words
 
 
-def _parameters(curve: Fragility) -> str:
-    return f"θ = {curve.median:.3g}, β = {curve.dispersion:.2g}"
+def _parameters(curve: Fragility, unit: str) -> str:
+    return f"θ = {curve.median:.3g} {unit}".rstrip() + f", β = {curve.dispersion:.2g}"
 
 
 def maxima_figure(maxima: Maxima, other: Maxima | None) -> Figure:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,31 +22,67 @@ from rimroll.motion.flat import FlatLanding
 from rimroll.options import Options
 from rimroll.shaking.lognormal import Counts, reached
 from rimroll.shaking.many import follow_shaken
-from rimroll.shaking.scales import tangent
+from rimroll.shaking.scales import rocking_frequency, tangent
 from rimroll.state import State
 
 Array = NDArray[np.float64]
 Progress = Callable[[int, int], object]
 
 
-class Measure(NamedTuple):
-    """A measure of the intensity of the horizontal motion."""
+MEASURES = {
+    "pga": ("pga", "m/s^2", "peak ground acceleration", "PGA"),
+    "pgv": ("pgv", "m/s", "peak ground velocity", "PGV"),
+    "sa": ("sa", "m/s^2", "spectral acceleration", "Sa"),
+    "pga_ratio": ("pga", "", "peak ground acceleration over g tan α", "PGA/(g tan α)"),
+    "pgv_ratio": ("pgv", "", "p times peak ground velocity over g tan α", "p PGV/(g tan α)"),
+}
+"""The measures of intensity: the quantity of the ground, the unit, words and a symbol.
+
+tan α is R/H, and p the rocking frequency of the body."""
+
+HORIZONTAL_IN_WORDS = {"vector": "", "rotd50": ", RotD50", "geomean": ", geometric mean"}
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A measure of the intensity of the horizontal motion, one of :data:`MEASURES`.
+
+    ``horizontal``, ``period`` and ``damping`` are those of ``Ground.intensity``.
+    """
 
     name: str
-    unit: str
-    long_name: str
-    of: Callable[[Ground], float]
+    horizontal: str = "vector"
+    period: float | None = None
+    damping: float = 0.05
 
+    @property
+    def unit(self) -> str:
+        """The SI unit, empty for a ratio."""
+        return MEASURES[self.name][1]
 
-MEASURES = {
-    "pga": Measure(
-        "pga", "m/s^2", "largest horizontal acceleration", lambda one: one.peak.horizontal
-    ),
-    "pgv": Measure(
-        "pgv", "m/s", "largest horizontal velocity", lambda one: one.peak_velocity.horizontal
-    ),
-}
-"""The measures by name. The peaks are those of the vector, which no turning of a record changes."""
+    @property
+    def long_name(self) -> str:
+        """The measure in words."""
+        period = "" if self.period is None else f" at {self.period:g} s"
+        return MEASURES[self.name][2] + period + HORIZONTAL_IN_WORDS[self.horizontal]
+
+    @property
+    def symbol(self) -> str:
+        """The measure as figures name it."""
+        period = "" if self.period is None else f"({self.period:g} s)"
+        return MEASURES[self.name][3] + period + HORIZONTAL_IN_WORDS[self.horizontal]
+
+    def of(self, ground: Ground, body: Body, gravity: float) -> float:
+        """The measure of a ground; ratios are those of a body."""
+        quantity, unit, *_ = MEASURES[self.name]
+        value = ground.intensity(
+            quantity, self.horizontal, period=self.period, damping=self.damping
+        )
+        if unit:
+            return value
+        rate = rocking_frequency(body, gravity) if quantity == "pgv" else 1.0
+        return float(rate * value / (gravity * tangent(body)))
+
 
 DOUBLINGS = 5
 """How often the search for strong shaking doubles the lowest level."""
@@ -69,8 +104,8 @@ class Rocking:
     options: Options
     flat: FlatLanding
     duration: float | None = None
-    limit: float | None = None
-    """The largest tilt over the balance tilt that counts in place of overturning."""
+    limits: tuple[float | None, ...] = (None,)
+    """The limit states: largest tilts over the balance tilt, and None for overturning."""
     threads: int | None = None
 
     def follow(
@@ -106,14 +141,15 @@ class Rocking:
         """
         if math.isinf(tangent(self.body)):
             raise RimrollError("a disk stands on no base: give --intensities or --scale")
-        strength = measured(grounds, measure)
-        lifting = self.options.gravity * tangent(self.body) / measured(grounds, MEASURES["pga"])
+        strength = self.measured(grounds, measure)
+        lifting = self.options.gravity * tangent(self.body) / self.measured(grounds, Measure("pga"))
         least = float((lifting * strength).min())
         doubled = least * 2.0 ** np.arange(DOUBLINGS + 1)
+        severest = None if None in self.limits else max(filter(None, self.limits))
         parts = []
         for level in doubled:
             found = self.follow(grounds, level / strength[:, np.newaxis])
-            far, undecided = reached(found, self.limit)
+            far, undecided = reached(found, severest)
             parts.append(float(far.sum() / max(1, (~undecided).sum())))
             if parts[-1] >= ENOUGH:
                 break
@@ -121,37 +157,44 @@ class Rocking:
         lowest = least if highest > least else least / 8.0
         return np.linspace(lowest, highest, points)
 
+    def measured(self, grounds: Mapping[str, Ground], measure: Measure) -> Array:
+        """The measure of each ground; ``RimrollError`` for one where it is 0."""
+        if math.isinf(tangent(self.body)) and not measure.unit:
+            raise RimrollError(f"a disk has no {measure.symbol}: its balance tilt is 90°")
+        gravity = self.options.gravity
+        values = np.array([measure.of(one, self.body, gravity) for one in grounds.values()])
+        for name, value in zip(grounds, values, strict=True):
+            if not value > 0.0:
+                raise RimrollError(f"{name} has no {measure.symbol}: it cannot be scaled")
+        return values
 
-def measured(grounds: Mapping[str, Ground], measure: Measure) -> Array:
-    """The measure of each ground; ``RimrollError`` for one where it is 0."""
-    values = np.array([measure.of(ground) for ground in grounds.values()])
-    for name, value in zip(grounds, values, strict=True):
-        if not value > 0.0:
-            what = measure.long_name.removeprefix("largest ")
-            raise RimrollError(f"{name} has no {what}: it cannot be scaled")
-    return values
+    def laid_out(
+        self,
+        motions: Falls,
+        grounds: Mapping[str, Ground],
+        level: Column,
+        axis: str,
+        measure: Measure,
+    ) -> Falls:
+        """Motions in rows over ``ground`` and the axis of the levels, of the grounds that are done.
 
-
-def laid_out(motions: Falls, grounds: Mapping[str, Ground], level: Column, axis: str) -> Falls:
-    """Motions in rows over ``ground`` and the axis of the levels, of the grounds that are done.
-
-    The columns also have the measures of the scaled ground.
-    """
-    points = len(level.values)
-    done = motions.size // points
-    shape = (done, points)
-    axes = {"ground": Column(np.array(list(grounds)[:done])), axis: level}
-    columns = {
-        name: replace(one, values=one.values.ravel()[: done * points].reshape(shape))
-        for name, one in motions.columns.items()
-        if name not in ("ground", "level")
-    }
-    for measure in MEASURES.values():
-        peaks = np.array([measure.of(ground) for ground in grounds.values()])[:done, np.newaxis]
-        strength = Column(peaks * columns["scale"].values, measure.unit, measure.long_name)
-        columns[measure.name] = strength
-    kept = {name: one for name, one in columns.items() if name not in axes}
-    return Falls(kept, axes, motions.attrs)
+        The columns also have the PGA, the PGV and the measure of the scaled ground.
+        """
+        points = len(level.values)
+        done = motions.size // points
+        shape = (done, points)
+        axes = {"ground": Column(np.array(list(grounds)[:done])), axis: level}
+        columns = {
+            name: replace(one, values=one.values.ravel()[: done * points].reshape(shape))
+            for name, one in motions.columns.items()
+            if name not in ("ground", "level")
+        }
+        for one in (Measure("pga"), Measure("pgv"), measure):
+            peaks = [one.of(ground, self.body, self.options.gravity) for ground in grounds.values()]
+            strength = np.array(peaks)[:done, np.newaxis] * columns["scale"].values
+            columns[one.name] = Column(strength, one.unit, one.long_name)
+        kept = {name: one for name, one in columns.items() if name not in axes}
+        return Falls(kept, axes, motions.attrs)
 
 
 def counts(motions: Falls, measure: Measure, limit: float | None) -> Counts:

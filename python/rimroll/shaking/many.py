@@ -19,7 +19,7 @@ from rimroll.grid import is_labelled
 from rimroll.ground.ground import MAX_FACTOR, Ground
 from rimroll.laws import Law, OneLaw, contact_law, only_fixed, varied_numbers
 from rimroll.many_columns import LOSSES, energy_lost, inputs, unless_stopped
-from rimroll.motion.flat import FlatLanding, flat_given, flat_in_core
+from rimroll.motion.flat import ON_MOVING_TABLES, FlatLanding, flat_given, flat_in_core
 from rimroll.options import Options
 from rimroll.recorded import parameters
 from rimroll.rows import Rows, Starts
@@ -37,8 +37,8 @@ Grounds = Ground | Sequence[Ground] | Mapping[str, Ground]
 FREE = 20.0
 """How long a motion goes on after that of the ground by default, in units of 1/p."""
 
-UNDECIDED = ("lifted_off", "face_down", "painleve", "failed")
-"""Statuses of motions after which a body that has not overturned still could."""
+UNLESS_IT_STANDS = "NaN unless the body stands at the end"
+"""Where a body still rocks or slides, or has overturned, its residual place is not determined."""
 
 VARIABLES = {
     "overturned": (
@@ -51,8 +51,10 @@ VARIABLES = {
         "",
         "whether it is undecided if the body overturns",
         "the motion ended before that was determined: it failed, came down flat, lifted off below"
-        " the balance tilt under a law without flight, or was beyond the balance tilt at the end",
+        " the balance tilt under a law without flight, or the ground still moved at the end, or the"
+        " body could still reach its balance tilt; a body that is undecided has not stood",
     ),
+    "stands": ("", "whether the body stands at the end", "and the ground no longer moves"),
     "overturning_time": ("s", "time of overturning", "NaN for a body that did not overturn"),
     "max_tilt": ("rad", "largest tilt", None),
     "max_tilt_ratio": ("", "largest tilt over balance tilt", "balance tilt: atan(R/H)"),
@@ -60,10 +62,13 @@ VARIABLES = {
     "uplift_time": ("s", "time of the first uplift", "NaN for a body that was never uplifted"),
     "end_time": ("s", "time of the end", None),
     "end_tilt": ("rad", "tilt at the end", None),
-    "residual_x": ("m", "residual displacement along x", "of the centre of the footprint"),
-    "residual_y": ("m", "residual displacement along y", "of the centre of the footprint"),
-    "residual_displacement": ("m", "residual displacement", "of the centre of the footprint"),
-    "residual_yaw": ("rad", "residual yaw", "change of yaw + spin from the start to the end"),
+    "end_x": ("m", "displacement along x at the end", "of the centre of the footprint"),
+    "end_y": ("m", "displacement along y at the end", "of the centre of the footprint"),
+    "end_yaw": ("rad", "turn of the body at the end", "change of yaw + spin since the start"),
+    "residual_x": ("m", "residual displacement along x", UNLESS_IT_STANDS),
+    "residual_y": ("m", "residual displacement along y", UNLESS_IT_STANDS),
+    "residual_displacement": ("m", "residual displacement", UNLESS_IT_STANDS),
+    "residual_yaw": ("rad", "residual yaw", UNLESS_IT_STANDS),
     **LOSSES,
     "impact_loss": ("J", "energy lost in impacts", None),
     "ground_work": ("J", "work of the ground", "in the frame of the table"),
@@ -98,7 +103,7 @@ def shake_many(
     rtol: float = 1e-8,
     topple_tilt: Number | None = None,
     max_steps: int = 1_000_000,
-    flat: FlatLanding = "stop",
+    flat: FlatLanding = ON_MOVING_TABLES,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> xr.Dataset:
@@ -139,7 +144,9 @@ def shake_many(
         ``ground`` (the index in the list), ``scale``, ``start_...``, and ``body_...`` and
         ``law_...`` where they differ from row to row. For a body that overturned, the end is the
         moment at which it did, before its side meets the table. The footprint is the circle on
-        which the base would stand if the body turned upright about its contact point.
+        which the base would stand if the body turned upright about its contact point. ``end_x``,
+        ``end_y`` and ``end_yaw`` say where it is at the end, ``residual_x`` and so on where it
+        stands for good: they are NaN for a body that still rocks or slides.
 
     Raises
     ------
@@ -306,12 +313,13 @@ def _columns(rows: Rows, shakings: Shakings, table: Array) -> dict[str, Column]:
     found["overturned"] = ~np.isnan(found["overturning_time"])
     balance = np.broadcast_to(tilt_of_balance(rows.bodies), rows.grid.size)[:done]
     found["max_tilt_ratio"] = found["max_tilt"] / balance
+    found["undecided"], found["stands"] = found["undecided"] > 0.0, found["stands"] > 0.0
+    for name in ("x", "y", "yaw"):
+        found[f"residual_{name}"] = np.where(found["stands"], found[f"end_{name}"], np.nan)
     found["residual_displacement"] = np.hypot(found["residual_x"], found["residual_y"])
     found["energy_lost"] = energy_lost(found)
     found["steps"] = found["steps"].astype(np.int64)
     status = np.array(_core.STATUSES)[found["status"].astype(np.int64)]
-    is_open = np.isin(status, UNDECIDED) | (found["end_tilt"] > balance)
-    found["undecided"] = is_open & ~found["overturned"]
     return {
         "status": Column(status),
         **{name: Column(found[name], *meaning) for name, meaning in VARIABLES.items()},

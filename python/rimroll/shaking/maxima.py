@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
@@ -15,8 +16,9 @@ from rimroll.errors import RimrollError, expect, hold
 from rimroll.given import Number, Values, number, numbers, positive, random_seed, whole_number
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law, one_law
-from rimroll.motion.flat import FlatLanding
+from rimroll.motion.flat import ON_MOVING_TABLES, FlatLanding
 from rimroll.options import Options
+from rimroll.shaking.lognormal import UndecidedWarning, reached
 from rimroll.shaking.many import follow_shaken
 from rimroll.state import State, single
 
@@ -64,9 +66,23 @@ class Maxima:
 
     @classmethod
     def of(cls, shaken: xr.Dataset) -> Maxima:
-        """The maxima of a dataset of :func:`rimroll.shake_many`; infinite if overturned."""
-        ratio = np.asarray(shaken["max_tilt_ratio"])
-        return cls(np.where(np.asarray(shaken["overturned"]), np.inf, ratio).ravel())
+        """The maxima of a dataset of :func:`rimroll.shake_many`; infinite if overturned.
+
+        Motions that are undecided are left out, with an :class:`rimroll.UndecidedWarning` that
+        counts them, for they may have tilted further. Raises ``RimrollError`` if all are.
+        """
+        overturned, undecided = reached(shaken, None)
+        if undecided.any():
+            warnings.warn(
+                f"{undecided.sum()} of {undecided.size} motions are left out of the distribution,"
+                " because they ended before it was determined whether the body overturns",
+                UndecidedWarning,
+                stacklevel=2,
+            )
+        if undecided.all():
+            raise RimrollError("all motions are undecided: they have no distribution")
+        ratio = np.where(overturned, np.inf, np.asarray(shaken["max_tilt_ratio"]))
+        return cls(ratio[~undecided])
 
     @property
     def overturned(self) -> float:
@@ -154,7 +170,7 @@ def random_maxima(
     tilt_noise: Number,
     yaw_noise: Number = 0.0,
     seed: int = 0,
-    flat: FlatLanding = "stop",
+    flat: FlatLanding = ON_MOVING_TABLES,
     gravity: Number = _core.STANDARD_GRAVITY,
     rtol: float = 1e-8,
     threads: int | None = None,

@@ -17,8 +17,9 @@ from rimroll.falls import Falls
 from rimroll.given import Number, Values, number, positive
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law, NoSlip
-from rimroll.motion.flat import FlatLanding
+from rimroll.motion.flat import ON_MOVING_TABLES, FlatLanding
 from rimroll.options import Options
+from rimroll.shaking.lognormal import reached
 from rimroll.shaking.many import follow_shaken
 from rimroll.shaking.rocking import flat_array
 from rimroll.shaking.scales import rocking_frequency, tangent
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 
 MAX_HALVINGS = 60
 
@@ -41,7 +43,7 @@ def overturning_scale(
     scales: Values,
     *,
     precision: Number = 1e-4,
-    flat: FlatLanding = "housner",
+    flat: FlatLanding = ON_MOVING_TABLES,
     gravity: Number = _core.STANDARD_GRAVITY,
     rtol: float = 1e-8,
     threads: int | None = None,
@@ -72,8 +74,9 @@ def overturning_scale(
         a smaller one, within the precision, that does not. Over ``ground`` and ``tried``:
         ``overturned``, which of the ``scales`` overturn; and ``undecided``, for which of them the
         motion ended before that was determined, as where the rim leaves the table under a law
-        without flight. An undecided factor counts as one that does not overturn. If the least of
-        the ``scales`` overturns, it is the ``scale``, and ``below`` is 0.
+        without flight. A factor that is undecided is neither: where there are such factors between
+        ``below`` and ``scale``, these may be further apart than the precision. ``below`` is 0
+        where no smaller factor is known not to overturn.
 
     Raises
     ------
@@ -106,14 +109,13 @@ def overturning_scale(
             threads=threads,
         )
 
-    def overturns(chosen: list[Ground], factors: Array) -> NDArray[np.bool_]:
-        return np.asarray(follow(chosen, factors)["overturned"], np.bool_)
+    def overturns(chosen: list[Ground], factors: Array) -> tuple[Flags, Flags]:
+        return reached(follow(chosen, factors), None)
 
     repeated = [ground for ground in each for _ in tried]
-    shaken = follow(repeated, np.tile(tried, len(each)))
-    found = np.asarray(shaken["overturned"], np.bool_).reshape(len(each), len(tried))
-    undecided = np.asarray(shaken["undecided"], np.bool_).reshape(found.shape)
-    below, scale = _halved(each, tried, found, overturns, width)
+    flags = overturns(repeated, np.tile(tried, len(each)))
+    found, undecided = (one.reshape(len(each), len(tried)) for one in flags)
+    below, scale = _halved(each, tried, found, undecided, overturns, width)
     return xr.Dataset(
         {
             "scale": ("ground", scale, {"long_name": "least factor that overturns"}),
@@ -128,24 +130,28 @@ def overturning_scale(
 def _halved(
     grounds: list[Ground],
     tried: Array,
-    found: NDArray[np.bool_],
-    overturns: Callable[[list[Ground], Array], NDArray[np.bool_]],
+    found: Flags,
+    undecided: Flags,
+    overturns: Callable[[list[Ground], Array], tuple[Flags, Flags]],
     width: float,
 ) -> tuple[Array, Array]:
     """The interval of each ground at whose upper end a body overturns."""
     any_overturns = found.any(axis=1)
-    first = np.where(any_overturns, found.argmax(axis=1), 0)
-    above = np.where(any_overturns, tried[first], np.nan)
-    below = np.where(any_overturns, np.where(first > 0, tried[first - 1], 0.0), tried[-1])
+    first = np.where(any_overturns, found.argmax(axis=1), len(tried))
+    above = np.where(any_overturns, tried[np.minimum(first, len(tried) - 1)], np.nan)
+    stood = ~undecided & (np.arange(len(tried)) < first[:, np.newaxis])
+    below = np.where(stood, tried, 0.0).max(axis=1)
+    is_open = any_overturns & (below > 0.0)
     for _ in range(MAX_HALVINGS):
         # What overturns at the least factor that was tried is not searched further below.
-        open_ = np.flatnonzero((below > 0.0) & (above - below > width * above))
+        open_ = np.flatnonzero(is_open & (above - below > width * above))
         if not open_.size:
             break
         middle = 0.5 * (below[open_] + above[open_])
-        fell = overturns([grounds[place] for place in open_], middle)
+        fell, unknown = overturns([grounds[place] for place in open_], middle)
         above[open_] = np.where(fell, middle, above[open_])
-        below[open_] = np.where(fell, below[open_], middle)
+        below[open_] = np.where(fell | unknown, below[open_], middle)
+        is_open[open_] = ~unknown
     return below, above
 
 
@@ -169,8 +175,8 @@ class OverturningSpectrum:
     frequency_ratio: Array
     amplitude_ratio: Array
     tried: Array
-    overturned: NDArray[np.bool_]
-    undecided: NDArray[np.bool_]
+    overturned: Flags
+    undecided: Flags
 
     def to_xarray(self) -> xr.Dataset:
         """The spectrum as a dataset over ``frequency_ratio`` and ``tried``."""
@@ -201,7 +207,7 @@ def overturning_spectrum(
     law: Law | None = None,
     start: State | None = None,
     precision: Number = 1e-4,
-    flat: FlatLanding = "housner",
+    flat: FlatLanding = ON_MOVING_TABLES,
     gravity: Number = _core.STANDARD_GRAVITY,
     rtol: float = 1e-8,
     threads: int | None = None,

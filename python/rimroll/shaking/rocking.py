@@ -16,7 +16,7 @@ from rimroll.errors import expect, hold
 from rimroll.given import Number, Values, numbers, positive
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law, NoSlip
-from rimroll.motion.flat import FlatLanding
+from rimroll.motion.flat import ON_MOVING_TABLES, FlatLanding
 from rimroll.options import Options
 from rimroll.shaking.many import follow_shaken
 from rimroll.shaking.scales import with_rocking_frequency
@@ -48,17 +48,25 @@ class RockingSpectrum:
 
     @property
     def max_tilt_ratio(self) -> Array:
-        """The largest tilt over the balance tilt; NaN for a body that overturns."""
+        """The largest tilt over the balance tilt; NaN if a body overturns or is undecided."""
         ratio = np.asarray(self.dataset["max_tilt_ratio"])
-        return np.where(self.overturned, np.nan, ratio)
+        return np.where(self.overturned | self.undecided, np.nan, ratio)
 
     @property
     def overturned(self) -> NDArray[np.bool_]:
         """Which of the bodies overturn."""
         return np.asarray(self.dataset["overturned"])
 
+    @property
+    def undecided(self) -> NDArray[np.bool_]:
+        """For which of the bodies the motion ended before that was determined."""
+        return np.asarray(self.dataset["undecided"])
+
     def plot(self) -> Figure:
-        """The largest tilt over the balance tilt against 2π/p; shaded where bodies overturn."""
+        """The largest tilt over the balance tilt against 2π/p.
+
+        It is shaded where bodies overturn, and grey where that is undecided.
+        """
         from rimroll.shaking.figures import rocking_figure
 
         return rocking_figure(self)
@@ -71,7 +79,7 @@ def rocking_spectrum(
     *,
     law: Law | None = None,
     start: State | None = None,
-    flat: FlatLanding = "housner",
+    flat: FlatLanding = ON_MOVING_TABLES,
     gravity: Number = _core.STANDARD_GRAVITY,
     rtol: float = 1e-8,
     threads: int | None = None,

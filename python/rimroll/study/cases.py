@@ -127,6 +127,6 @@ def _options_of(
         whole = dict(table) | {key_in(one): one.at(row) for one in given}
         read = checked(SimulationTable, whole, "[simulation]")
         chosen = {name: getattr(read, name) for name in read.model_fields_set - {"flat"}}
-        flat = made("[simulation]", lambda read=read: read_flat(read.flat))  # type: ignore[misc]
+        flat = made("[simulation]", lambda read=read: read_flat(read.flat, True))  # type: ignore[misc]
         found.append((replace(defaults, **chosen), chosen.get("duration"), flat))
     return found, codes

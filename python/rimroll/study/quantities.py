@@ -26,7 +26,8 @@ def quantity_of(dataset: xr.Dataset, name: str) -> xr.DataArray:
     """A quantity of a study as floats; NaN in rows that are not done.
 
     ``turn`` is a column or its mean, ``overturned`` the truth of it as 0 and 1 or the part for
-    which it is true, ``outcome=toppled`` the part with that word. Angles are in degrees.
+    which it is true, ``outcome=toppled`` the part with that word. Bodies of which it is undecided
+    whether they overturn are left out of ``overturned``. Angles are in degrees.
 
     Raises ``RimrollError`` for an unknown name.
     """
@@ -34,14 +35,19 @@ def quantity_of(dataset: xr.Dataset, name: str) -> xr.DataArray:
     if equals:
         found = _part(dataset, column, word)
     elif column in dataset and (dataset[column].dtype.kind == "b" or is_truth(dataset[column])):
-        found = _named(dataset[column].astype(float), f"fraction: {_long(dataset, column)}")
+        truth = dataset[column].astype(float)
+        if column == "overturned" and "undecided" in dataset:
+            truth = truth.where(dataset["undecided"] <= 0)
+        found = _named(truth, f"fraction: {_long(dataset, column)}")
     elif column in dataset and "flag_meanings" not in dataset[column].attrs:
         found = dataset[column].astype(float)
     elif f"{column}{MEAN}" in dataset:
         found = dataset[f"{column}{MEAN}"]
     elif f"{column}{COUNT}" in dataset and column not in dataset.dims:
-        counts = dataset[f"{column}{COUNT}"]
-        found = _named(counts / _positive(dataset[NUMBER]), f"fraction: {column.replace('_', ' ')}")
+        counts, number = dataset[f"{column}{COUNT}"], dataset[NUMBER]
+        if column == "overturned" and f"undecided{COUNT}" in dataset:
+            number = number - dataset[f"undecided{COUNT}"]
+        found = _named(counts / _positive(number), f"fraction: {column.replace('_', ' ')}")
     else:
         raise RimrollError(f"unknown quantity {name!r}{nearest(name, names(dataset))}")
     done = is_done(dataset)

@@ -9,6 +9,7 @@ pub(crate) use batch::shaken_batch;
 use super::contacts::Contacts;
 use super::event::{Event, EventKind};
 use super::event_detector::Goal;
+use super::instant::{Instant, Phase};
 use super::options::Options;
 use super::prepared;
 use super::run::Run;
@@ -17,7 +18,7 @@ use crate::contact_law::ContactLaw;
 use crate::ending::Status;
 use crate::error::InvalidInput;
 use crate::ground::Ground;
-use crate::law::Parameters;
+use crate::law::{DynamicsExt, FrictionLaw, Parameters};
 use crate::real::Real;
 use crate::state::{Coordinates, State};
 use core::ops::ControlFlow;
@@ -31,6 +32,10 @@ pub struct Shaken {
     /// The time at which the topple tilt was reached or, under a law without flight, at which the rim lifted off beyond
     /// the balance tilt, s; `None` for a body that did not overturn.
     pub overturning_time: Option<f64>,
+    /// Whether the motion ended before it was determined whether the body overturns.
+    pub undecided: bool,
+    /// Whether the body stands at the end and the table no longer moves.
+    pub stands: bool,
     /// The largest tilt, rad. For a body that toppled it is the topple tilt.
     pub max_tilt: f64,
     /// The time of the largest tilt, s.
@@ -113,13 +118,15 @@ impl PreparedMotion {
         let (trajectory, events, work) = run.into_parts();
         let first = |kind| events.iter().find(|event| event.kind == kind);
         let topple = first(EventKind::Topple);
-        let end = topple.map_or_else(|| trajectory.end().u, |event| event.at.u);
+        let end = topple.map_or_else(|| trajectory.end(), |event| event.at);
         let (max_tilt, max_tilt_time) = largest_tilt(start, &events, &end);
         let k = self.contacts.parameters();
         let (from, to) = (footprint(k, start), footprint(k, &end));
         Shaken {
             status,
             overturning_time: overturning_time(k, status, &events, &end),
+            undecided: is_undecided(&self.contacts, status, &events, &end),
+            stands: stands(&self.contacts, status, &end),
             max_tilt,
             max_tilt_time,
             uplift_time: first(EventKind::Uplift).map(|event| event.at.t),
@@ -150,6 +157,69 @@ pub(super) fn overturning_time(
         Some(event) => Some(event.at.t),
         None => lifted_off().then_some(end.t),
     }
+}
+
+/// Whether a motion ended before it was determined whether the body overturns.
+///
+/// It is determined where the body has overturned, or where the table no longer moves and the body stands, slides flat,
+/// leans less than its balance tilt with too little energy to reach it, or repeats a rocking that loses no energy.
+pub(super) fn is_undecided(
+    contacts: &Contacts,
+    status: Status,
+    events: &[Event],
+    end: &Instant,
+) -> bool {
+    let k = contacts.parameters();
+    if overturning_time(k, status, events, end).is_some() || status == Status::AtRest {
+        return false;
+    }
+    let is_safe = matches!(end.phase, Phase::Standing | Phase::SlidingFlat)
+        || !k.is_past_balance(end.tilt())
+            && energy_of_tilting(contacts, end) < k.m * k.g * (libm::hypot(k.r, k.h) - k.h)
+        || repeats_itself(contacts, events, end);
+    status != Status::Finished || !is_safe || !ground_is_over(contacts, end)
+}
+
+/// Whether the tilt is periodic: the body has passed a minimum and a maximum of the tilt on a table at rest, without loss
+/// and change of contact. The other half of the period is the same, backward.
+fn repeats_itself(contacts: &Contacts, events: &[Event], end: &Instant) -> bool {
+    let law = contacts.contact_law();
+    let loses_nothing = law.resistance.is_none()
+        && (end.phase == Phase::Rolling || matches!(law.friction, FrictionLaw::Frictionless));
+    let ground_end = contacts.ground().map_or(0.0, |ground| ground.duration());
+    let is_extremum = |event: &&Event| {
+        matches!(event.kind, EventKind::TiltMin | EventKind::TiltMax) && event.at.t >= ground_end
+    };
+    let has = |kind| {
+        let mut extrema = events.iter().rev().take_while(is_extremum);
+        extrema.any(|event| event.kind == kind)
+    };
+    loses_nothing && has(EventKind::TiltMin) && has(EventKind::TiltMax)
+}
+
+/// Whether a body stands at the end of its motion and the table no longer moves.
+pub(super) fn stands(contacts: &Contacts, status: Status, end: &Instant) -> bool {
+    status == Status::AtRest || end.phase == Phase::Standing && ground_is_over(contacts, end)
+}
+
+fn ground_is_over(contacts: &Contacts, end: &Instant) -> bool {
+    contacts
+        .ground()
+        .is_none_or(|ground| end.t >= ground.duration())
+}
+
+/// The energy above that of standing, J, without that of a frictionless glide, which cannot tilt the body.
+fn energy_of_tilting(contacts: &Contacts, at: &Instant) -> f64 {
+    let dynamics = contacts.dynamics(at.phase);
+    let energy = dynamics.energy(at);
+    let glide = match contacts.contact_law().friction {
+        FrictionLaw::Frictionless => {
+            let [vx, vy] = dynamics.center_velocity(at);
+            0.5 * dynamics.parameters().m * (vx * vx + vy * vy)
+        }
+        _ => 0.0,
+    };
+    energy.kinetic + energy.potential - glide
 }
 
 /// The largest tilt (rad) and its time (s), which is that of a maximum or of an end of the motion.

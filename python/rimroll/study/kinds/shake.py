@@ -17,7 +17,7 @@ from rimroll.study.kinds.kind import OPTION_NAMES, Result
 from rimroll.study.plan import Progress
 from rimroll.study.starts import STANDING
 
-DTYPES = {"overturned": "bool", "undecided": "bool", "steps": "int64"}
+DTYPES = {"overturned": "bool", "undecided": "bool", "stands": "bool", "steps": "int64"}
 """The types of columns that are not float64."""
 
 OPTIONS = Options(duration=1.0, rtol=1e-8)
