@@ -286,13 +286,18 @@ def test_degrees_taken_for_radians_are_refused(slipping):
         rr.gyro.analyze(replace(record, rates=np.degrees(record.rates)), CAN)
 
 
-def test_a_loose_phone_is_told(slipping):
+def test_a_loose_phone_is_told_or_refused(slipping):
     """A phone that swings in the can by some degrees leaves what no axis explains."""
     _, record = slipping
-    swinging = 1.5 * np.sin(40.0 * record.t) * (record.t > RELEASE)
-    loose = replace(record, rates=record.rates + np.outer(swinging, [0.6, 0.0, 0.8]))
-    notes = rr.gyro.analyze(loose, CAN, axis="z").notes
+
+    def loose(size):
+        swinging = size * np.sin(40.0 * record.t) * (record.t > RELEASE)
+        return replace(record, rates=record.rates + np.outer(swinging, [0.6, 0.0, 0.8]))
+
+    notes = rr.gyro.analyze(loose(0.5), CAN, axis="z").notes
     assert any("the sensor may be loose" in note for note in notes)
+    with pytest.raises(rr.RimrollError, match="do not follow gravity"):
+        rr.gyro.analyze(loose(1.5), CAN, axis="z")
 
 
 def test_a_record_that_is_cut_in_the_middle_of_a_fall_gives_the_falls_before(slipping):

@@ -15,8 +15,8 @@ from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, expect
 from rimroll.given import Number, number, positive
 from rimroll.gyro.axis import Axis, fitted_axis
-from rimroll.gyro.collision import LEAST_TILT, Collision, collision_of, is_near
-from rimroll.gyro.doubts import refuse_steep, refuse_unlikely
+from rimroll.gyro.collision import LEAST_TILT, Collision, collision_of, is_driven, is_near
+from rimroll.gyro.doubts import refuse_impossible, refuse_steep, refuse_unlikely
 from rimroll.gyro.falls import Falls, Passage, falls_of
 from rimroll.gyro.filtering import Filter, filter_of
 from rimroll.gyro.friction import Friction, Predicted, friction_from, predicted
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 AXES = ("x", "y", "z")
-LOOSE = 1.2
+LOOSE = 0.8
 """What is left of the momentum, over its noise, from which on a sensor may be loose."""
 OTHER_FILTER = 3.0
 """What errors are multiplied by if a filter was taken out, because the sensor's filter may be of
@@ -56,7 +56,7 @@ class Analysis:
     collisions
         The near-collisions that could be read, in order of time.
     predictions
-        The turn that each fall has at each friction.
+        The turn that each fall has at each friction; None for those that imply no friction.
     frictions
         The friction that each veer implies. While a hand holds the body, its rim rests on the
         table; later falls may begin with a rim that slides, so they imply no friction: None stands
@@ -77,7 +77,7 @@ class Analysis:
     rests: Rests
     axis: Axis
     collisions: list[Collision]
-    predictions: list[Predicted]
+    predictions: list[Predicted | None]
     frictions: list[Friction | None]
     friction: Friction | None
     limits: tuple[float, float]
@@ -193,8 +193,15 @@ def analyze(
     limits = _limits(body)
     middle = 0.5 * (limits[0] + limits[1])
     near = [one for one in sensed if is_near(one, found)]
-    collisions = [collision_of(one, found, rests.bias_error, body, pull, middle) for one in near]
+    driven = [one for one in near if is_driven(one, found, body, pull)]
+    collisions = [collision_of(one, found, body, pull, middle) for one in driven]
+    refuse_impossible(record, found, len(near), collisions)
     notes = _notes(record, rests, found, falls, len(sensed) - len(near), collisions, body)
+    if len(near) > len(driven):
+        notes.append(
+            f"Not read: {_counted(len(near) - len(driven), 'near-collision')} whose tilt and rate"
+            " do not follow gravity."
+        )
     if taken_out is not None:
         collisions = [replace(one, own_errors=OTHER_FILTER * one.own_errors) for one in collisions]
         notes.insert(0, _of_filter(taken_out))
@@ -221,16 +228,15 @@ def analyze(
             notes,
             cutoff,
         )
-    predictions = [predicted(one, body, pull) for one in collisions]
     threshold = chi_square(level)
     used = [i for i, one in enumerate(collisions) if one.released] or [*range(len(collisions))]
+    told = {i: predicted(collisions[i], body, pull) for i in used}
+    predictions = [told.get(i) for i in range(len(collisions))]
     frictions = [
-        friction_from([one], [there], threshold) if i in used else None
-        for i, (one, there) in enumerate(zip(collisions, predictions, strict=True))
+        friction_from([one], [told[i]], threshold) if i in told else None
+        for i, one in enumerate(collisions)
     ]
-    together = friction_from(
-        [collisions[i] for i in used], [predictions[i] for i in used], threshold
-    )
+    together = friction_from([collisions[i] for i in used], [*told.values()], threshold)
     if not collisions[used[0]].released:
         notes.append(
             "No fall begins with a release, so the friction assumes that the rim rests where the"
@@ -302,15 +308,17 @@ def _along(
                 record.t[one.start : one.end + 1],
                 rates[one.start : one.end + 1],
                 rests.noise,
+                rests.bias_error,
                 body,
                 taken_out,
+                not valid[one.before : one.after + 1].all(),
             )
             for one in falls.passages
             if not _has_gap(record, one)
         ]
         if not sensed:
             return _Tried(None, falls, [])
-        axis = fitted_axis(sensed, np.eye(3)[column])
+        axis = fitted_axis(sensed, np.eye(3)[column], None if axis is None else guess)
         guess = axis.direction
     return _Tried(axis, falls, sensed)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -16,13 +16,15 @@ from rimroll.gyro.passages import Sensed
 
 Array = NDArray[np.float64]
 
-SCALE_ERROR = 0.01
-"""Standard deviation of the sensitivity: ±1 % is typical in data sheets."""
 MISSED = 0.3
 """Error of the turn over the squared ratio of the miss distance to the tilt, rad: from simulated
 records, in which it matters where this ratio is above 0.15."""
 SIDE_ERRORS = 6.0
 """How many times its error the momentum must be to tell the side of the turn."""
+USUAL = 0.7
+"""The largest misfit of records of round bodies; beyond it, errors grow in proportion."""
+CUT_OFF = 5.0
+"""What errors are multiplied by where the sensor's range cuts off the near-collision."""
 LEAST_TILT = math.radians(4.0)
 """The smallest tilt from which a fall is read."""
 MOST_MISSED = 0.25
@@ -31,6 +33,10 @@ UNSEEN = 0.05
 """The part of the energy that may be of a translation that is not known."""
 FIRST = 5
 """Samples at the start of a leg whose mean is the spin there."""
+GRAVITY = (0.7, 1.35)
+"""The energy that a fall gains over that which its height sets free: at least, with all the
+translation of a rim that rests, and at most, with none but that upward. Simulated falls have 0.77
+to 1.30."""
 BESIDE = math.radians(12.0)
 """Tilt up to which the direction of the rate is extrapolated to the collision, rad."""
 
@@ -79,8 +85,9 @@ class Collision:
         Rates of the Euler angles at ``start``.
     side_is_sure
         Whether the measured momentum exceeds its error by so much that it tells the direction of
-        the turn. Else the direction is that in which the size of the turn is nearest to what the
-        two ideal laws allow, and it may have been a turn to the other side.
+        the turn; never if a strong filter or the sensor's range hides the near-collision. Else the
+        direction is that in which the size of the turn is nearest to what the two ideal laws allow,
+        and it may have been a turn to the other side.
     own_errors, shared_errors
         Standard deviations of the size of the turn (rad), the momentum about the vertical and the
         spin at ``start`` (both rad/s): what belongs to this near-collision alone, (3,); and what
@@ -135,6 +142,39 @@ def is_near(one: Sensed, axis: Axis) -> bool:
     return least > LEAST_TILT and _miss(one, fall, rise) < MOST_MISSED * least
 
 
+def is_driven(one: Sensed, axis: Axis, body: Body, gravity: float) -> bool:
+    """Whether gravity alone may have moved the body before and after a near-collision.
+
+    Each half of its fall and of its rise must turn height into rotation as a body on its rim does.
+    """
+    return all(
+        least > GRAVITY[0] and most < GRAVITY[1]
+        for leg in one.legs(axis.direction)
+        for least, most in _gains(leg, body, gravity)
+    )
+
+
+def _gains(leg: Leg, body: Body, gravity: float) -> list[tuple[float, float]]:
+    """What :data:`GRAVITY` bounds: in both halves of a leg, if the rim rests and if it slides."""
+    R, H = body.radius, body.height
+    raised = R * np.sin(leg.tilt) + H * (leg.cos - 1.0)
+    turning = body.transverse_inertia * leg.rate**2 + body.axial_inertia * leg.spin**2
+    upward = (R * leg.cos - H * np.sin(leg.tilt)) * leg.tilt_rate
+    middle = int(np.argmin(np.abs(leg.tilt - 0.5 * (leg.tilt[0] + leg.tilt[-1]))))
+    out = []
+    for first, last in ((0, middle), (middle, -1)):
+        freed = body.mass * gravity * (raised[first] - raised[last])
+        gained = [
+            0.5 * (energy[last] - energy[first]) / freed if freed else 0.0
+            for energy in (
+                turning + body.mass * (R**2 + H**2) * leg.rate**2,
+                turning + body.mass * upward**2,
+            )
+        ]
+        out.append((float(gained[0]), float(gained[1])))
+    return out
+
+
 def _miss(one: Sensed, fall: Leg, rise: Leg) -> float:
     """How far from upright the axis would have passed on a straight path, rad."""
     before = abs(float(fall.momentum[-1])) / _speed(fall, one.passage.t)
@@ -142,23 +182,23 @@ def _miss(one: Sensed, fall: Leg, rise: Leg) -> float:
     return 0.5 * (before + after)
 
 
-def collision_of(
-    one: Sensed, axis: Axis, bias_error: float, body: Body, gravity: float, expected: float
-) -> Collision:
+def collision_of(one: Sensed, axis: Axis, body: Body, gravity: float, expected: float) -> Collision:
     """What a passage says; ``expected``: the middle of the turns that theory allows, rad."""
     direction = axis.direction
     fall, rise = one.legs(direction)
-    changed = _changed(one, axis, bias_error)
+    changed = _changed(one, axis)
     own, shared = _errors(one, direction, changed, fall, rise)
     kept = _energy_kept(fall, rise, one.passage.released, body, gravity)
     arriving = float(fall.momentum[-1])
-    is_sure = abs(arriving) > SIDE_ERRORS * math.hypot(own[1], *shared[:, 1])
+    is_whole = one.taken_out is None and not one.cut_off
+    is_sure = is_whole and abs(arriving) > SIDE_ERRORS * math.hypot(own[1], *shared[:, 1])
     turn = _nearest(one.turn(direction), expected, arriving if is_sure else 0.0)
     alone = _alone(one, fall, rise, turn)
     inward, outward = _speed(fall, one.passage.t), _speed(rise, one.passage.t)
     miss = _miss(one, fall, rise)
     ratio = miss / min(fall.tilt[0], rise.tilt[-1])
     own[0] = math.hypot(own[0], MISSED * ratio**2)
+    own *= max(1.0, axis.misfit / USUAL) * (CUT_OFF if one.cut_off else 1.0)
     shared[:, 0] *= math.copysign(1.0, turn)
     tilt, momentum = float(fall.tilt[0]), float(fall.momentum[0])
     yaw_rate = momentum / math.sin(tilt) ** 2
@@ -219,20 +259,18 @@ class Changed:
         return self.one.turn(self.direction, self.later)
 
 
-def _changed(one: Sensed, axis: Axis, bias_error: float) -> list[Changed]:
+def _changed(one: Sensed, axis: Axis) -> list[Changed]:
     """The passage with each of the eight errors that a record shares, and with its time's."""
-    direction = axis.direction
     values, vectors = np.linalg.eigh(axis.covariance)
     turned = [
         axis.moved(*(math.sqrt(value) * vector))
         for value, vector in zip(values, vectors.T, strict=True)
     ]
-    biased = [replace(one, rates=one.rates + bias_error * unit) for unit in np.eye(3)]
-    scaled = [replace(one, rates=one.rates * (1.0 + SCALE_ERROR * unit)) for unit in np.eye(3)]
+    mistaken = zip(one.mistaken, axis.shared, strict=True)  # they move the axis, too
     return [
         *(Changed(one, other) for other in turned),
-        *(Changed(other, direction) for other in (*biased, *scaled)),
-        Changed(one, direction, TIME_ERROR * one.step),
+        *(Changed(other, axis.moved(*shift)) for other, shift in mistaken),
+        Changed(one, axis.direction, TIME_ERROR * one.step),
     ]
 
 

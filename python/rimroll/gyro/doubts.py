@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from rimroll.body import Body
 from rimroll.errors import RimrollError
+from rimroll.gyro.axis import Axis
+from rimroll.gyro.collision import Collision
 from rimroll.gyro.filtering import Filter, filter_of
 from rimroll.gyro.record import Record
 from rimroll.gyro.rests import Rests
@@ -20,6 +22,12 @@ SLOWEST = 0.5
 STEEP, LEFT = 0.5, 0.8
 """The decay time that a filter leaves after it was taken out, over its own and over the step of the
 record, from which on it is steeper than one of second order."""
+MOST_LEFT = 2.0
+"""The largest misfit of a record that is read: records of round bodies have at most 0.7."""
+WIDEST = math.radians(45.0)
+"""The largest error of a veer that says anything."""
+GAINED = (0.1, 3.0)
+"""The part of the energy, and how many of its errors, that a near-collision may seem to gain."""
 FASTEST = 60.0
 """A rate in rad/s that no rocking body reaches, and that degrees/s easily do."""
 
@@ -63,6 +71,39 @@ def refuse_unlikely(record: Record, rates: Array, rests: Rests, body: Body, grav
             raise RimrollError(
                 f"{record.name}: the body turns {longest / math.tau:.1f} times about one axis and"
                 " hardly about the others: it rolls on its side, or spins, and does not rock"
+            )
+
+
+def refuse_impossible(record: Record, axis: Axis, near: int, collisions: list[Collision]) -> None:
+    """Raise ``RimrollError`` where what was read is no motion of such a body on its rim.
+
+    ``near``: the near-collisions among which ``collisions`` follow gravity.
+    """
+    advice = "check the body, the axis and that the sensor is fixed in it; read one release alone"
+    if near > 3 * len(collisions):
+        raise RimrollError(
+            f"{record.name}: in {near - len(collisions)} of {near} near-collisions tilt and rate do"
+            f" not follow gravity as those of this body on its rim would: {advice}"
+        )
+    if collisions and axis.misfit > MOST_LEFT:
+        raise RimrollError(
+            f"{record.name}: {axis.misfit:.1f} times the sensor's noise is left of the momentum"
+            f" about the vertical, more than {MOST_LEFT:g}: no body of revolution on its rim moves"
+            f" like this; {advice}"
+        )
+    if collisions and min(one.veer_error for one in collisions) > WIDEST:
+        raise RimrollError(
+            f"{record.name}: the error of every veer is above {math.degrees(WIDEST):.0f} degrees,"
+            f" wider than what laws of friction leave open: {advice}"
+        )
+    for one in collisions:
+        if one.energy_kept is None or one.energy_kept_error is None:
+            continue
+        if one.energy_kept - 1.0 > max(GAINED[0], GAINED[1] * one.energy_kept_error):
+            raise RimrollError(
+                f"{record.name}: the near-collision at {one.time:.3f} s would leave"
+                f" {100.0 * one.energy_kept:.0f} ± {100.0 * one.energy_kept_error:.0f} % of the"
+                f" energy, and no body gains any: {advice}"
             )
 
 

@@ -119,8 +119,8 @@ def _draw_friction(ax: Axes, found: Analysis) -> None:
     for i in used:
         one = found.collisions[i]
         color = RAYS[i % MOST_RAYS]
-        if found.predictions:
-            there = found.predictions[i]
+        there = found.predictions[i] if found.predictions else None
+        if there is not None:
             veers = np.degrees(there.turns) - 180.0
             named = f"{i + 1}: this fall at each friction"
             ax.plot(there.frictions, veers, color=color, label=named)
@@ -138,7 +138,7 @@ def _draw_friction(ax: Axes, found: Analysis) -> None:
     ):
         ax.axhline(math.degrees(limit) - 180.0, color=color, ls=dashes, lw=0.9, label=name)
     together = found.friction
-    most = float(found.predictions[used[0]].frictions[-1]) if found.predictions else 1.0
+    most = max((float(one.frictions[-1]) for one in found.predictions if one), default=1.0)
     title = "the same at every friction" if together is None else "no friction suits"
     if together is not None and together.best is not None and together.interval is not None:
         low, high = together.interval

@@ -19,8 +19,10 @@ from rimroll.theory import needed_friction
 
 Array = NDArray[np.float64]
 
-POINTS = 81
+POINTS = 41
 """Frictions that are simulated, from 0 to a little more than what rolling through needs."""
+FINER = 50
+"""Into how many parts each step between them is divided: turns are straight lines there."""
 BEYOND = 1.15
 """The largest friction that is simulated, over that which rolling needs."""
 
@@ -98,50 +100,71 @@ def friction_from(
     collisions: Sequence[Collision], each: Sequence[Predicted], level: float
 ) -> Friction:
     """The friction that suits the veers of all collisions best; ``level`` is a chi square."""
-    squares = _squares(collisions, each)
+    frictions = each[0].frictions
+    fine = np.linspace(0.0, frictions[-1], FINER * (len(frictions) - 1) + 1)
+    squares = _squares(collisions, each, fine)
     count = len(collisions)
     if not np.isfinite(squares).any():
         return Friction(None, None, False, False, math.inf, count)
-    frictions = each[0].frictions
-    fine = np.linspace(0.0, frictions[-1], 20 * (POINTS - 1) + 1)
-    of_fine = np.interp(fine, frictions, squares)
-    least = float(of_fine.min())
+    at, least = int(np.argmin(squares)), float(squares.min())
     # Veers that scatter more than their errors say are taken to have larger errors.
     freedom = count - 1
     scale = max(1.0, least / freedom) if freedom else 1.0
-    suits = of_fine - least <= level * scale
+    above = squares - least - level * scale
+    suits = above <= 0.0
     if freedom == 0 and least > level:
         return Friction(None, None, bool(squares[-1] > level), bool(squares[0] > level), least, 1)
-    inside = fine[suits]
+    inside = np.flatnonzero(suits)
     rolls = bool(suits[-1])
-    best = float(fine[np.argmin(of_fine)])
+    low = _crossing(fine, above, int(inside[0]), -1)
+    high = None if rolls else _crossing(fine, above, int(inside[-1]), 1)
     return Friction(
-        best,
-        (float(inside[0]), None if rolls else float(inside[-1])),
-        not rolls,
-        not bool(suits[0]),
-        least,
-        count,
+        _lowest(fine, squares, at), (low, high), not rolls, not bool(suits[0]), least, count
     )
 
 
-def _squares(collisions: Sequence[Collision], each: Sequence[Predicted]) -> Array:
-    """Chi square of the veers at each friction, (n,); infinite where one has no turn.
+def _crossing(fine: Array, above: Array, last: int, side: int) -> float:
+    """Where chi square passes its threshold, beside the last friction that suits."""
+    beyond = last + side
+    if not 0 <= beyond < len(fine) or not np.isfinite(above[beyond]):
+        return float(fine[last])
+    part = -above[last] / (above[beyond] - above[last])
+    return float(fine[last] + part * (fine[beyond] - fine[last]))
+
+
+def _lowest(fine: Array, squares: Array, at: int) -> float:
+    """The friction of the least chi square, by a parabola over three."""
+    if not 0 < at < len(fine) - 1:
+        return float(fine[at])
+    before, here, after = squares[at - 1 : at + 2]
+    bend = before - 2.0 * here + after
+    if not (np.isfinite(bend) and bend > 0.0):
+        return float(fine[at])
+    return float(fine[at] + 0.5 * (before - after) / bend * (fine[1] - fine[0]))
+
+
+def _squares(collisions: Sequence[Collision], each: Sequence[Predicted], fine: Array) -> Array:
+    """Chi square of the veers at frictions, (n,); infinite where one has no turn.
 
     Veers of a record share the errors of its axis, bias and sensitivity, which also change the
     start from which a turn is predicted: the covariance contains both.
     """
-    apart = np.stack(
-        [there.turns - math.pi - one.veer for one, there in zip(collisions, each, strict=True)]
-    )
-    # How the turn predicted less that measured changes with turn, momentum and spin: (veers, 3, n).
-    slopes = np.stack([[-np.ones(POINTS), one.by_momentum, one.by_spin] for one in each])
+
+    def between(name: str) -> Array:
+        return np.stack([np.interp(fine, one.frictions, getattr(one, name)) for one in each])
+
+    turns, by_momentum, by_spin = map(between, ("turns", "by_momentum", "by_spin"))
+    apart = turns - math.pi - np.array([[one.veer] for one in collisions])
+    # How the turn predicted less that measured changes with turn, momentum and spin: (3, veers, n).
+    slopes = np.stack([-np.ones_like(turns), by_momentum, by_spin])
     own = np.stack([one.own_errors for one in collisions])
     shared = np.stack([one.shared_errors for one in collisions])
-    squares = np.full(POINTS, np.inf)
-    for k in np.flatnonzero(np.isfinite(apart).all(axis=0) & np.isfinite(slopes).all(axis=(0, 1))):
-        together = np.einsum("vsi,vi->vs", shared, slopes[:, :, k])
-        alone = np.sum((own * slopes[:, :, k]) ** 2, axis=1)
-        covariance = together @ together.T + np.diag(alone)
-        squares[k] = apart[:, k] @ np.linalg.solve(covariance, apart[:, k])
+    known = np.isfinite(apart).all(axis=0) & np.isfinite(slopes).all(axis=(0, 1))
+    apart, slopes = apart[:, known].T, slopes[:, :, known]
+    together = np.einsum("vsi,ivn->nvs", shared, slopes)
+    alone = np.einsum("vi,ivn->nv", own**2, slopes**2)
+    covariance = together @ together.transpose(0, 2, 1) + alone[:, :, np.newaxis] * np.eye(len(own))
+    squares = np.full(len(fine), np.inf)
+    solved = np.linalg.solve(covariance, apart[:, :, np.newaxis])[:, :, 0]
+    squares[known] = np.sum(apart * solved, axis=1)
     return squares

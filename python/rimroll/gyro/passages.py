@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -16,20 +16,37 @@ from rimroll.gyro.legs import Leg, horizontal, leg_of, path_of
 
 Array = NDArray[np.float64]
 
+SCALE_ERROR = 0.012
+"""Standard deviation of the sensitivity: data sheets have ±1 % as typical, ±3 % as the limit."""
 AT_MAXIMUM = 3
 """Samples at each end of a leg that say when the tilt was largest."""
 
 
 @dataclass(frozen=True)
 class Sensed:
-    """The samples of a passage, less their bias, and what else its legs depend on."""
+    """The samples of a passage, less their bias, and what else its legs depend on.
+
+    ``cut_off``: whether some are beyond the sensor's range.
+    """
 
     passage: Passage
     t: Array
     rates: Array
     noise: float
+    bias_error: float
     body: Body
     taken_out: Filter | None = None
+    cut_off: bool = False
+
+    @cached_property
+    def mistaken(self) -> list[Sensed]:
+        """The same with one standard deviation of each error that a whole record shares.
+
+        These are the bias along x, y and z, and the sensitivity along x, y and z.
+        """
+        biased = [self.rates + self.bias_error * along for along in np.eye(3)]
+        scaled = [self.rates * (1.0 + SCALE_ERROR * along) for along in np.eye(3)]
+        return [replace(self, rates=rates) for rates in (*biased, *scaled)]
 
     @cached_property
     def attitudes(self) -> Array:

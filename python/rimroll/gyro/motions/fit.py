@@ -16,7 +16,6 @@ from rimroll.given import Number, number, whole_number
 from rimroll.gyro.analysis import Analysis, analyze, chi_square
 from rimroll.gyro.attitude import across
 from rimroll.gyro.axis import EXPECTED
-from rimroll.gyro.collision import SCALE_ERROR
 from rimroll.gyro.motions.law_numbers import fitted_names
 from rimroll.gyro.motions.laws import best_of_law
 from rimroll.gyro.motions.misfit import (
@@ -32,6 +31,7 @@ from rimroll.gyro.motions.result import Estimate, LawVerdict, MotionFit
 from rimroll.gyro.motions.search import Found, least
 from rimroll.gyro.motions.seen import Sensing
 from rimroll.gyro.motions.windows import Chain, chains_of, window_of
+from rimroll.gyro.passages import SCALE_ERROR
 from rimroll.gyro.record import Record
 from rimroll.laws import Coulomb, Frictionless, Law, NoSlip, one_law
 from rimroll.state import State
