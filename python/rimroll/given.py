@@ -95,6 +95,11 @@ def numbers(field: str, value: object, unit: str = "1") -> NDArray[np.float64]:
             array = np.asarray(bare)
         except ValueError:  # rows of different lengths
             array = np.asarray(None)
+    if array.dtype.kind == "O" and all(type(entry) is int for entry in array.flat):
+        try:  # beyond 64 bits
+            array = array.astype(np.float64)
+        except OverflowError:
+            raise RimrollError(f"{field} must be below 1.8e308, got a larger integer") from None
     if array.dtype.kind not in "iuf":
         raise RimrollError(f"{field} must be a number or an array of numbers, got {value!r}")
     array = array.astype(np.float64)
@@ -123,9 +128,11 @@ def values(field: str, value: object, unit: str = "1") -> Any:
 
 
 def whole_number(field: str, value: object) -> int:
-    """A count, >= 1, as an int; raises ``RimrollError`` for anything else, also for a text."""
+    """A count from 1 to below 2⁵³ as an int; ``RimrollError`` for all else, also for a text."""
     count = math.nan if isinstance(value, str) else number(field, value)
-    if not (count.is_integer() and 1 <= count < 2**53):
+    if count.is_integer() and count >= 2**53:
+        raise RimrollError(f"{field} must be below 2^53 = {2**53}, got {value!r}")
+    if not (count.is_integer() and count >= 1):
         raise RimrollError(f"{field} must be a whole number >= 1, got {value!r}")
     return int(count)
 

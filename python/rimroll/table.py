@@ -24,6 +24,21 @@ _ENCODINGS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "ut
 """Byte order marks, and what they announce; Excel's "Unicode text" is UTF-16."""
 
 _NOT_TEXT = re.compile(r"[\x00-\x08\x0e-\x1f]")
+_END_OF_FILE = "\x1a"
+"""What DOS writes behind the last line."""
+_SEPARATOR = re.compile(r"[\"']?sep=(.|\\t)[\"']?[;,\s]*", re.IGNORECASE)
+"""The line with which Excel is told the separator."""
+_EXCEL = {
+    b"PK\x03\x04": "a zip or Excel file: unpack it, or",
+    b"\xd0\xcf\x11\xe0": "an Excel file:",
+}
+_TITLE_BETWEEN_SPACES = re.compile(r"[^\s\[(]+(?:\s*[\[(][^\])]*[\])])?")
+_UNITS = re.compile(
+    r"|s|secs?|seconds|[mµμun]s|g|gal|mg|rad|deg|°|dps|counts|-|(m|cm|mm|in|ft)(/s\S*)?|(rad|deg|°)/s\S*",
+    re.IGNORECASE,
+)
+MOST_ABOVE = 100
+"""Lines of a preamble above the titles."""
 _DECIMAL_COMMA = re.compile(r"^([+\-−]?\d+),(\d+)(?!,)")
 _PAIR = re.compile(r"[+\-−]?\d+,(\d+)\s*(?:°|deg\w*|rad\w*)?")
 
@@ -53,6 +68,8 @@ class Table:
     width: int
     blank: list[int]
     """The lines between the first and the last row that hold nothing."""
+    titles_line: int = 1
+    """The line of the names, or the first one."""
 
     @property
     def names(self) -> list[str]:
@@ -70,8 +87,10 @@ def table_of(name: str, text: str, *, has_columns: bool = False) -> Table:
     """Comma, semicolon, tab or space separated values, of a file that messages call ``name``.
 
     Lines that begin with # and lines without content are passed over (``blank`` lists the latter),
-    and so are columns at the end that are empty throughout. Decimals follow a point, or a comma
-    where commas cannot separate columns; that they do is known where the file ``has_columns``.
+    and so are columns at the end that are empty throughout, and Excel's line ``sep=;``. Decimals
+    follow a point, or a comma where commas cannot separate columns; that they do is known where
+    the file ``has_columns``. Such a file may have a preamble above its titles, which is passed
+    over, too, and a line of units below them.
 
     Raises ``RimrollError`` for no lines, for rows of different widths, and for commas that may be
     decimal or separate columns.
@@ -82,8 +101,14 @@ def table_of(name: str, text: str, *, has_columns: bool = False) -> Table:
         raise RimrollError(
             f"{name} holds nothing but comments" if text.strip() else f"{name} is empty"
         )
+    separator = None
+    if told := _SEPARATOR.fullmatch(lines[0][1]):
+        separator = told[1].replace("\\t", "\t").strip(" ") or None
+        lines = lines[1:] or lines
     try:
-        cells = _cells(name, [line for _, line in lines], has_columns)
+        if has_columns:
+            lines = _below_preamble(lines, separator)
+        cells = _cells(name, [line for _, line in lines], has_columns, separator)
     except csv.Error as error:
         raise RimrollError(f"{name} does not read as a table: {error}") from None
     rows = [Row(i, part) for (i, _), part in zip(lines, cells, strict=True)]
@@ -98,7 +123,7 @@ def table_of(name: str, text: str, *, has_columns: bool = False) -> Table:
     below = rows[1:] if titles else rows
     inside = range(below[0].line, below[-1].line) if below else range(0)
     blank = [i for i, line in every if i in inside and not line.strip(EMPTY)]
-    return Table(name, titles, below, width, blank)
+    return Table(name, titles, below, width, blank, rows[0].line)
 
 
 def source_name(source: Source) -> str:
@@ -124,19 +149,92 @@ def text_of(name: str, source: Source) -> str:
         raise RimrollError(f"cannot read {name}: {why}") from None
     if len(read) > MOST_BYTES:
         raise RimrollError(f"{name} is larger than {MOST_BYTES // 1_000_000} MB")
+    if read[:4] in _EXCEL:
+        raise RimrollError(f"{name} is {_EXCEL[read[:4]]} export it as CSV")
     marked = next((known for mark, known in _ENCODINGS.items() if read.startswith(mark)), None)
     for encoding in [marked] if marked else ["utf-8", "cp1252"]:
         try:
             text = read.decode(encoding)
         except UnicodeDecodeError:
             continue
+        text = text.rstrip(f"{_END_OF_FILE}\x00 \r\n") + "\n" if _END_OF_FILE in text else text
         if not _NOT_TEXT.search(text):
             return text
     raise RimrollError(f"{name} is no text file in UTF-8, UTF-16 or Windows' code page 1252")
 
 
-def _cells(name: str, lines: list[str], has_columns: bool) -> list[list[str]]:
-    separator = next((mark for mark in ";\t" if mark in lines[0]), None)
+def _below_preamble(lines: list[tuple[int, str]], separator: str | None) -> list[tuple[int, str]]:
+    """The lines from the titles on, which are those just above the numbers; units in their titles.
+
+    A line of another number of cells than the numbers have is no line of titles.
+    """
+    rows = [_cells_of(line, separator) for _, line in lines[: MOST_ABOVE + 2]]
+    first = next((i for i, row in enumerate(rows) if _begin_numbers(row, rows[i + 1 : i + 2])), 0)
+    if first == 0:
+        return lines
+    width, above = len(rows[first]), first - 1
+    mark = separator or _mark_of(lines[first][1])
+    titles = _titles_of(lines[above][1], mark, width)
+    if titles is None:
+        has_units = len(rows[above]) > 1 and re.search(r"[\[(]", lines[above][1])
+        return lines[above:] if has_units else lines[first:]
+    if above and _are_units(titles):
+        names = _titles_of(lines[above - 1][1], mark, width)
+        if names is not None:
+            marked = [
+                f"{name} ({bare})"
+                if (bare := unit.strip("[]() ")) and name[-1:] not in "])"
+                else name
+                for name, unit in zip(names, titles, strict=True)
+            ]
+            return [(lines[above][0], (mark or "  ").join(marked)), *lines[first:]]
+    return lines[above:]
+
+
+def _begin_numbers(row: list[str], following: list[list[str]]) -> bool:
+    """Whether the numbers begin here: most cells are numbers, as in the next line."""
+    filled = [cell for cell in row if cell]
+    numbers = sum(_are_numbers([cell]) for cell in filled)
+    enough = numbers == len(filled) if len(filled) < 3 else 2 * numbers > len(filled)
+    alike = all(len(other) == len(row) or _are_numbers(other) for other in following)
+    return bool(filled) and enough and alike
+
+
+def _cells_of(line: str, separator: str | None) -> list[str]:
+    """The cells of a line that is looked at alone."""
+    mark = separator or _mark_of(line)
+    row = _spaced(line) if mark is None else _separated(line, mark)
+    while len(row) > 1 and not row[-1]:
+        row.pop()
+    return row
+
+
+def _mark_of(line: str) -> str | None:
+    """What separates the cells of a line; None for spaces."""
+    return next((mark for mark in ";\t," if mark in line), None)
+
+
+def _titles_of(line: str, mark: str | None, width: int) -> list[str] | None:
+    """The titles of so many columns in a line; None if it has another number of them."""
+    row = line.split() if mark is None else _cells_of(line, mark)
+    if len(row) == width or mark is not None or _mark_of(line) is not None:
+        return row if len(row) == width else None
+    for titles in (re.split(r"\s{2,}", line.strip()), _TITLE_BETWEEN_SPACES.findall(line)):
+        if len(titles) == width:
+            return titles
+    return None
+
+
+def _are_units(cells: list[str]) -> bool:
+    """Whether all cells are units, as in the second line of titles."""
+    bare = [cell.strip().strip("[]()").strip() for cell in cells]
+    return any(bare) and all(_UNITS.fullmatch(cell) for cell in bare)
+
+
+def _cells(
+    name: str, lines: list[str], has_columns: bool, separator: str | None
+) -> list[list[str]]:
+    separator = separator or next((mark for mark in ";\t" if mark in lines[0]), None)
     if separator is not None:
         return _without_empty_end([_separated(line, separator) for line in lines])
     if any("," in line for line in lines):
@@ -144,11 +242,13 @@ def _cells(name: str, lines: list[str], has_columns: bool) -> list[list[str]]:
         if has_columns or not _commas_are_decimal(name, lines, rows):
             return _without_empty_end(rows)
     width = next((len(line.split()) for line in lines if _are_numbers(_spaced(line))), 1)
+    rows = [_spaced(line) for line in lines]
+    titles = _titles_of(lines[0], None, width) if has_columns else None
     return [
-        _spaced(line)
-        if len(line.split()) == width or _are_numbers(_spaced(line))
-        else [_with_point(line.strip('"'))]
-        for line in lines
+        titles
+        if i == 0 and titles is not None
+        else (row if len(row) == width or _are_numbers(row) else [_with_point(line.strip('"'))])
+        for i, (line, row) in enumerate(zip(lines, rows, strict=True))
     ]
 
 

@@ -91,6 +91,7 @@ def test_arrays_of_a_state_agree_in_shape():
         *(("topple_tilt", value, "topple_tilt must be") for value in (np.nan, 0.0, 3.0)),
         ("topple_tilt", 0.4, "tilt must be below topple_tilt"),
         ("max_steps", 0, "max_steps must be"),
+        ("max_steps", 2**70, r"max_steps must be below 2\^53"),
     ],
 )
 def test_a_simulation_has_a_span_a_pull_and_a_tolerance(option, value, says):

@@ -326,6 +326,13 @@ def test_an_array_with_a_mask_that_hides_nothing_is_taken():
     assert rr.State(tilt=tilts).tilt.tolist() == [0.3, 0.4]
 
 
+def test_integers_beyond_64_bits_are_numbers_like_others():
+    assert rr.State(tilt=0.5, yaw=2**70).yaw == 2.0**70
+    assert rr.State(tilt=[0.5, 0.6], yaw=[2**70, 1]).yaw.tolist() == [2.0**70, 1.0]
+    with pytest.raises(rr.RimrollError, match=r"yaw must be below 1\.8e308"):
+        rr.State(tilt=[0.5, 0.6], yaw=[2**2000, 1])
+
+
 def test_counts_are_plain_numbers():
     for count in ("5", 5.0 * u.m):
         with pytest.raises(rr.RimrollError, match=r"^max_steps must be"):

@@ -1,5 +1,8 @@
 """Bodies with corners as users meet them."""
 
+import copy
+import pickle
+
 import numpy as np
 import pytest
 
@@ -86,6 +89,12 @@ def test_impossible_bodies_are_refused(arguments, reason):
 def test_what_corners_cannot_do_is_refused(law, options, reason):
     with pytest.raises(rr.RimrollError, match=reason):
         rr.simulate(NUT, START, law, 1.0, **options)
+
+
+def test_a_motion_can_be_pickled_and_copied(motion):
+    for again in (pickle.loads(pickle.dumps(motion)), copy.deepcopy(motion)):
+        assert np.array_equal(again.samples(3).energy, motion.samples(3).energy)
+        assert repr(again) == repr(motion)
 
 
 def test_a_motion_is_drawn_and_filmed(motion, tmp_path):

@@ -62,6 +62,15 @@ def test_units_in_brackets_or_given_and_columns_by_name():
     assert given.values == pytest.approx(track.values)
 
 
+def test_times_in_ms_without_a_unit_are_refused_with_the_way_out():
+    text = "t,x,y\n" + rows(1e3 * T, X, Y, mark=",")
+    with pytest.raises(
+        rr.RimrollError, match=r"look like ms: .*\(on the command line --units t=ms"
+    ):
+        rr.filmed.read(stream(text))
+    assert rr.filmed.read(stream(text), units={"t": "ms"}).t == pytest.approx(T)
+
+
 def test_angles_need_a_unit():
     text = "t\ttilt\theading\n" + rows(T, np.degrees(X), np.degrees(Y))
     with pytest.raises(rr.RimrollError, match="names no unit"):

@@ -90,6 +90,21 @@ def test_a_film_of_a_rest_is_refused():
         rr.filmed.fit_track(rr.filmed.Track(t, np.zeros((30, 2))), CAN, marker=(0, 0.12))
 
 
+@pytest.mark.parametrize("scale", [1.0, 3.0])
+@pytest.mark.parametrize("shape", ["line", "circle", "parabola"])
+def test_what_moves_farther_than_a_can_carries_it_is_refused_at_once(scale, shape):
+    """A pendulum, a wheel and a throw, at the sizes of a classroom."""
+    t = np.arange(200) / 100.0
+    swing = 0.5 * scale * np.cos(3.4 * t)
+    path = {
+        "line": np.stack([swing, 0.3 * swing**2], axis=-1),
+        "circle": 0.3 * scale * np.stack([np.cos(5.0 * t), np.sin(5.0 * t)], axis=-1),
+        "parabola": scale * np.stack([0.5 * t, 0.6 * t - 0.5 * t**2], axis=-1),
+    }[shape]
+    with pytest.raises(rr.RimrollError, match="carries it by at most"):
+        rr.filmed.fit_track(rr.filmed.Track(t, path), CAN, marker=(0, 0.12))
+
+
 def test_a_film_that_ends_too_early_is_refused():
     t, values = filmed(fall(0.15), (0.0, 0.0, 0.12))
     part = t < HELD + 0.15

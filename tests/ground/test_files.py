@@ -172,7 +172,10 @@ def test_a_file_without_a_unit_takes_that_which_is_given():
 BAD_AT2 = {
     "cut": (at2(SAMPLES)[:-16], "line 4 says 6 samples, and 5 follow: the file was cut, or NPTS"),
     "NPTS too large": (at2(SAMPLES, npts=60), "line 4 says 60 samples, and 6 follow"),
-    "NPTS too small": (at2([*SAMPLES] * 2, npts=6), "line 7: the samples go on after the 6 that"),
+    "NPTS too small": (
+        at2([*SAMPLES] * 2, npts=6),
+        "line 6: NPTS in line 4 is 6, and 10 samples have passed",
+    ),
     "NPTS of nothing": (at2(SAMPLES, npts=0), "line 4: NPTS must be a whole number >= 2, got 0"),
     "NPTS of a half": (
         at2(SAMPLES, header="NPTS=5.5, DT={dt}"),
@@ -182,7 +185,7 @@ BAD_AT2 = {
     "no DT": (at2(SAMPLES, header="NPTS= {npts}"), "line 4: it must name NPTS and DT, as in"),
     "no number": (at2(SAMPLES, header="NPTS, DT"), "line 4: it must name NPTS and DT, as in"),
     "only a header": ("\n".join(at2(SAMPLES).splitlines()[:4]), "6 samples, and 0 follow"),
-    "half a header": ("\n".join(at2(SAMPLES).splitlines()[:3]), "a header of 4 lines, this has 3"),
+    "half a header": ("\n".join(at2(SAMPLES).splitlines()[:3]), "it must name NPTS and DT"),
     "text": (at2(SAMPLES).replace("-2.5000000E-01", "  spike"), 'line 5: "spike" is no number'),
     "NaN": (at2(SAMPLES).replace("-2.5000000E-01", "  nan"), 'line 5: "nan" is no number'),
     "overflow": (at2(SAMPLES).replace("-2.5000000E-01", " *****"), 'line 5: "*****" is no number'),
@@ -268,6 +271,81 @@ def test_a_file_that_is_too_large_is_refused_at_once(written):
     assert refusal(written(b"0.0 " * 5_500_000)).endswith("x.at2 is larger than 20 MB")
 
 
+OPENSEES = (
+    "Data for a test record, north-south\n{npts} points at equal spacing of {dt} sec, 8F10.5\n"
+    "The units are (g)\nNPTS=  {npts}, DT= {dt} SEC\n",
+    "Data for a test record\n{npts} points at equal spacing of {dt} sec\n"
+    "Points are listed in the format of 8F10.5, i.e., 8 points across in\na row\n"
+    "The units are (g)\n*** Begin data ***\nNPTS=   {npts}, DT= {dt} SEC\n",
+    "Data for a test record\n{npts} points at equal spacing of {dt} sec\n\nThe units are (g)\n"
+    "*** Begin data ***\n",
+    "\n\nPEER STRONG MOTION DATABASE\n\nTown, 1/1/2001, Station, 000\nUNITS: G\n\n"
+    "DT= {dt}\nNPTS= {npts}\n\n",
+)
+"""Headers of other programs, of any number of lines."""
+
+
+@pytest.mark.parametrize("header", OPENSEES)
+@pytest.mark.parametrize("units", [None, "g"])
+@pytest.mark.parametrize("end", ["", "\x1a", "\x1a\r\n"])
+def test_headers_of_any_length_and_the_mark_at_the_end_of_dos_are_read(header, units, end):
+    rows = at2(SAMPLES).split("\n", 4)[4]
+    text = header.format(npts=len(SAMPLES), dt=".0200") + rows + end
+    step, found = rr.ground.read(stream(text), units=units).core.samples()
+    assert step == 0.02
+    np.testing.assert_allclose(found[:, 0], SAMPLES * G, rtol=1e-7)
+
+
+@given(wrong=st.integers(2, 11).filter(lambda count: count != 7), per_line=st.integers(1, 8))
+@examples(60)
+def test_no_number_of_samples_but_the_right_one_is_taken(wrong, per_line):
+    samples = [*SAMPLES, 0.25]
+    message = refusal(stream(at2(samples, npts=wrong, per_line=per_line)))
+    assert "line 4" in message and str(wrong) in message
+
+
+@pytest.mark.parametrize(
+    ("codes", "axes"),
+    [("L T V", "xyz"), ("T V L", "yzx"), ("H1 H2 UP", "xyz"), ("X Y DOWN", "xyz"), ("LN TR", "xy")],
+)
+def test_axes_of_an_instrument_are_one_record(codes, axes, tmp_path):
+    files = []
+    for i, code in enumerate(codes.split()):
+        files.append(tmp_path / f"QUAKE_TOWN--{code}.AT2")
+        files[-1].write_text(at2((i + 1) * SAMPLES, direction=code))
+    (found,) = rr.ground.read_all(*files).values()
+    for i, axis in enumerate(axes):
+        sign = -1.0 if "DOWN" in codes and axis == "z" else 1.0
+        expected = sign * (i + 1) * SAMPLES * G
+        np.testing.assert_allclose(samples_of(found)[:, "xyz".index(axis)], expected, rtol=1e-7)
+    assert found.heading is None
+
+
+def test_components_of_unknown_names_are_not_taken_for_records(tmp_path):
+    files = [tmp_path / f"{code}.AT2" for code in ("S1", "S2")]
+    for file in files:
+        file.write_text(at2(SAMPLES, direction=file.stem))
+    with pytest.raises(rr.RimrollError, match="line 2 ends with S1 and S2, no directions"):
+        rr.ground.read_all(*files)
+
+
+OTHERS = {
+    "K-NET": "Origin Time       2001/01/01 00:00:00\nLat. 35.0\nSampling Freq(Hz) 100Hz\n1 2 3\n",
+    "ESM": "EVENT_NAME: X\nEVENT_ID: 1\nSAMPLING_INTERVAL_S: 0.01\nNDATA: 2\n0.1\n0.2\n",
+    "COSMOS": "Corrected acceleration   (Format v01.20 with 46 text lines) Src: 1\n0.1 0.2\n",
+    "SMC": "2 CORRECTED ACCELEROGRAM\n*\n*\n 0.1 0.2\n",
+    "CSMIP": "UNCORRECTED ACCELEROGRAM DATA  PROCESSED\nSTATION\n 0.1 0.2\n",
+    "AFAD": "PLACE : TOWN\nSTATION ID : 1\nNUMBER OF DATA : 2\nN-S E-W U-D\n 0.1 0.2 0.3\n",
+}
+
+
+@pytest.mark.parametrize("name", OTHERS)
+def test_other_formats_are_named_with_a_way_out(name):
+    message = refusal(stream(OTHERS[name]))
+    assert f"is in the format of {name}" in message
+    assert "as a CSV file with the columns t (s), ax (m/s2)" in message
+
+
 # CSV
 
 TIMES = np.arange(6) * 0.02
@@ -315,6 +393,58 @@ def test_times_that_are_rounded_are_even():
     assert rr.ground.read(stream(text)).duration == pytest.approx(1999 / 128, abs=1e-3)
 
 
+@pytest.mark.parametrize(("unit", "factor"), [("ms", 1e3), ("us", 1e6), ("ns", 1e9)])
+def test_times_that_no_record_has_are_refused_with_their_likely_unit(unit, factor):
+    text = csv("time,ax (g)", factor * TIMES, SAMPLES)
+    message = refusal(stream(text))
+    assert f"they look like {unit}" in message and f"--time-unit {unit})" in message
+    right = rr.ground.read(stream(csv("t (s),ax (g)", TIMES, SAMPLES)))
+    assert rr.ground.read(stream(text), time_unit=unit) == right
+    for title in (f"time ({unit})", f"time_{unit}", f"Time [{unit}]"):
+        assert rr.ground.read(stream(text.replace("time", title, 1))) == right
+    assert "a step of 20 s is none" in refusal(stream(csv("t (s),ax (g)", 1e3 * TIMES, SAMPLES)))
+    assert "are in ms, but" in refusal(stream(csv("t (ms),a (g)", TIMES, SAMPLES)), time_unit="s")
+
+
+def test_what_is_beside_the_acceleration_is_passed_over():
+    zeros = np.zeros(6)
+    right = rr.ground.read(stream(csv("t (s),ax (g)", TIMES, SAMPLES)))
+    for header in (
+        "\ufeffTime [s],Acceleration [g],Velocity [m/s],Displacement [m]",
+        "Time (s),ax (g),vx (cm/s),ux (cm)",
+        "t (s),x_acc (g),velocity,displacement",
+    ):
+        assert rr.ground.read(stream(csv(header, TIMES, SAMPLES, zeros, zeros))) == right
+    phone = csv("Time (s),Acc x (g),Absolute acceleration (g)", TIMES, SAMPLES, np.abs(SAMPLES))
+    assert rr.ground.read(stream(phone)) == right
+
+
+def test_columns_by_number_and_the_step_spare_titles():
+    bare = csv("0.0,0.0", TIMES[1:], SAMPLES[1:])
+    right = rr.ground.read(stream(csv("t (s),ax (g)", TIMES, SAMPLES)))
+    assert "--columns t=1,x=2" in refusal(stream(bare), units="g")
+    assert rr.ground.read(stream(bare), units="g", columns={"t": 1, "x": 2}) == right
+    single = "Somewhere, 1999\n\n" + csv("0.0", SAMPLES[1:])
+    assert rr.ground.read(stream(single), units="g", step="20 ms") == right
+    up = rr.ground.read(stream(single), units="g", step=0.02, columns={"z": 1})
+    np.testing.assert_allclose(samples_of(up)[:, 2], SAMPLES * G, rtol=1e-7)
+    assert "step is for files without times" in refusal(
+        stream(csv("t (s),a (g)", TIMES, SAMPLES)), step=0.02
+    )
+    assert "step is for tables" in refusal(stream(at2(SAMPLES)), step=0.02)
+
+
+def test_columns_of_the_compass_have_a_heading():
+    for names in ("E (g),N (g),Z (g)", "EW (g),NS (g),UD (g)", "Acc. E-W (g),N-S (g),Up (g)"):
+        ground = rr.ground.read(stream(csv(f"t (s),{names}", TIMES, SAMPLES, 2 * SAMPLES, SAMPLES)))
+        np.testing.assert_allclose(samples_of(ground)[:, 1], 2 * SAMPLES * G, rtol=1e-9)
+        assert ground.heading == pytest.approx(math.pi / 2)
+
+
+def test_accelerations_that_no_record_reaches_are_refused():
+    assert "check the unit" in refusal(stream(csv("t (s),a (g)", TIMES, 300 * SAMPLES)))
+
+
 LATE = np.array([0.0, 0.02, 0.04, 0.06, 0.1, 0.12])
 BAD_CSV = {
     "uneven": (
@@ -336,7 +466,7 @@ BAD_CSV = {
     "unit of a speed": (csv("t (s),vx (m/s)", TIMES, SAMPLES), 'or "m/s2", got "m/s"'),
     "no time": (
         csv("ax (g),ay (g)", TIMES, SAMPLES),
-        "needs one column of times, t (s); it has ax",
+        "has no column of times, such as t (s); it has ax",
     ),
     "no names": (csv("0,0", TIMES, SAMPLES), "the first line must name the columns"),
     "names unknown": (csv("t (s),H1 (g),H2 (g)", TIMES, SAMPLES, SAMPLES), "needs columns ax, ay"),
@@ -394,6 +524,34 @@ def test_a_stream_of_obspy_is_a_record():
     np.testing.assert_allclose(samples_of(ground), 0.01 * np.outer(np.arange(5), [3.0, 2.0, 1.0]))
     assert ground.heading == pytest.approx(math.pi / 2) and ground.duration == 0.04
     assert rr.ground.from_obspy(traces[:1], "m/s2").peak.z == pytest.approx(4.0)
+
+
+def counts(channel, calib=3920e-2 / 6182761, processing=()):
+    """A trace of counts, with the factor of K-NET."""
+    stats = Stats(channel)
+    stats.calib, stats.processing = calib, list(processing)
+    return Trace(stats, np.round(np.array([0.0, 0.5, -0.98, 0.1]) / calib))
+
+
+def test_counts_of_k_net_are_calibrated_and_its_channels_are_known():
+    for depth in ("", "1", "2"):
+        traces = [counts(f"{name}{depth}") for name in ("NS", "UD", "EW")]
+        ground = rr.ground.from_obspy(traces, "m/s2")
+        assert ground.heading == pytest.approx(math.pi / 2)
+        assert ground.peak[:3] == pytest.approx((0.98, 0.98, 0.98), rel=1e-5)
+    with pytest.raises(rr.RimrollError, match="one station and one depth"):
+        rr.ground.from_obspy([counts("NS1"), counts("NS2")], "m/s2")
+
+
+def test_a_calibration_is_neither_forgotten_nor_applied_twice():
+    done = counts("NS")
+    done.data = done.data * done.stats.calib  # as by obspy.read(..., apply_calib=True)
+    with pytest.raises(rr.RimrollError, match=r"set trace\.stats\.calib = 1"):
+        rr.ground.from_obspy([done], "m/s2")
+    done.stats.processing = ["ObsPy 1.4: remove_response(output='ACC')"]
+    assert rr.ground.from_obspy([done], "m/s2").peak.y == pytest.approx(0.98, rel=1e-5)
+    with pytest.raises(rr.RimrollError, match="samples are counts"):
+        rr.ground.from_obspy([Trace(Stats("HNE"), np.array([0.0, 1e5, 2e4]))], "m/s2")
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 import doctest
 import math
 import pickle
+import time
 from importlib import import_module
 
 import numpy as np
@@ -360,3 +361,30 @@ def test_ten_million_samples_are_taken():
     ground = rr.ground.sampled(0.01, samples)
     assert ground.duration == pytest.approx(99999.99)
     assert ground(99999.985)[0] == pytest.approx(1.0)
+
+
+@examples(200)
+@given(
+    st.sampled_from(["sine", "cosine", "half_sine", "ricker", "rectangular"]),
+    st.floats(0.05, 3.0),
+    st.floats(0.05, 2.0),
+)
+def test_the_peak_of_a_pulse_is_that_of_its_formula(kind, period, cycles):
+    amplitude = (3.0, -1.0, 4.0)
+    length = (cycles,) if kind in ("sine", "cosine") else ()
+    pulse = getattr(rr.ground, kind)(amplitude, period, *length)
+    values = pulse(np.linspace(0.0, pulse.duration, 5001)[:-1])
+    expected = [*np.abs(values).max(axis=0), np.hypot(values[:, 0], values[:, 1]).max()]
+    np.testing.assert_allclose(pulse.peak, expected, rtol=1e-3)
+    assert np.all(np.asarray(pulse.peak) >= expected)
+
+
+@pytest.mark.parametrize("cycles", [100, 10_001, 10_000_000])
+def test_a_ground_of_any_length_is_shown_at_once(cycles):
+    one = rr.ground.sine((3.0, 0.0, 4.0), 0.01, cycles)
+    begun = time.process_time()
+    assert repr(one) == f"<Ground of 1 pulse: {0.01 * cycles:.6g} s, peaks 3, 0, 4 m/s²>"
+    sums = [one + rr.ground.ricker(2.0, 0.5), one + RECORD]
+    texts = [repr(ground) + ground._repr_html_() for ground in (one, *sums)]
+    assert all("peaks at most 5, " in text for text in texts[1:2])
+    assert time.process_time() - begun < 0.2

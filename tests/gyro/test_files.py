@@ -80,6 +80,90 @@ def test_titles_and_units_of_other_programs(titles, factor, time):
     assert record.rates == pytest.approx(RATES, abs=1e-7)
 
 
+@pytest.mark.parametrize(("unit", "factor"), [("ms", 1e3), ("us", 1e6), ("ns", 1e9)])
+def test_times_that_no_gyroscope_has_are_refused_with_their_likely_unit(unit, factor):
+    titles = ["Time", *PHYPHOX[1:4]]
+    text = table(titles, columns(time=factor)[:4])
+    with pytest.raises(rr.RimrollError, match=f"they look like {unit}.*--time-unit {unit}"):
+        read(text)
+    assert read(text, time_unit=unit).t == pytest.approx(T)
+    for title in (f"time_{unit}", f"timestamp [{unit}]", f"t ({unit})"):
+        assert read(text.replace("Time", title, 1)).t == pytest.approx(T)
+    with pytest.raises(rr.RimrollError, match="is none of a record of a gyroscope"):
+        read(text.replace("Time", "Time (s)", 1))
+
+
+def test_of_several_columns_of_times_the_one_with_a_unit_is_taken():
+    elapsed, *axes = columns()[:4]
+    stamps = 1_700_000_000_000_000_000 + 1e9 * elapsed
+    logger = table(["time", "seconds_elapsed", "z", "y", "x"], [stamps, elapsed, *axes[::-1]])
+    found = read(logger, units="rad/s")
+    assert found.t == pytest.approx(T) and found.rates == pytest.approx(RATES, abs=1e-8)
+    titles = ["accelerometerTimestamp_sinceReboot(s)", "motionTimestamp_sinceReboot(s)"]
+    rates = [f"motionRotationRate{axis}(rad/s)" for axis in "XYZ"]
+    log = table([*titles, *rates, "motionUserAccelerationX(G)"], [elapsed + 1, *columns()[:4], T])
+    dated = "\n".join(
+        f"{'loggingTime(txt)' if i == 0 else '2021-01-01 10:00:00.0 +0100'},{line}"
+        for i, line in enumerate(log.splitlines())
+    )
+    for text in (log, dated):
+        assert read(text).t == pytest.approx(T) and "motionTimestamp" in read(text).source
+    with pytest.raises(rr.RimrollError, match="several columns of times"):
+        read(table(["a time (s)", "b time (s)", *PHYPHOX[1:4]], [elapsed, 2 * elapsed, *axes]))
+
+
+@pytest.mark.parametrize("count", [2, 3, 5])
+@pytest.mark.parametrize("cut", [0, 1])
+def test_samples_in_packets_get_times_between_them(count, cut):
+    stamps = T[count - 1 :: count].repeat(count)
+    n = len(stamps) - cut
+    found = read(table(PHYPHOX[:4], [stamps[cut:], *RATES[cut : n + cut].T]))
+    assert found.t == pytest.approx(T[cut : n + cut], abs=1e-9)
+    assert found.rates == pytest.approx(RATES[cut : n + cut], abs=1e-8)
+    assert "packets of" in found.notes[0] and "100 Hz" in found.notes[0]
+
+
+def test_packets_that_do_not_come_evenly_are_refused():
+    stamps = np.cumsum([0.02, 0.09, 0.03, 0.12, 0.02, 0.1, 0.03, 0.08]).repeat(5)
+    with pytest.raises(rr.RimrollError, match="packets of 5 that share a time"):
+        read(table(PHYPHOX[:4], [stamps, *RATES.T]))
+
+
+def test_a_part_is_read_without_the_times_that_go_back_elsewhere():
+    t = np.concatenate([T[:5], T[4:] - 0.02])
+    text = table(PHYPHOX[:4], [t, *np.vstack([RATES[:5], RATES[4:]]).T])
+    with pytest.raises(rr.RimrollError, match=r"line 7: the time goes back.*--between"):
+        read(text)
+    assert read(text, between=(0.1, "0.4 s")).t == pytest.approx(T[10:38])
+
+
+@pytest.mark.parametrize(
+    "titles",
+    [
+        ["Time (s)", "Latitude (°)", "Longitude (°)", "Horizontal Accuracy (m)"],
+        ["t (s)", "x", "Accuracy", "Bearing accuracy (°)"],
+    ],
+)
+def test_a_record_of_places_is_not_said_to_hold_accelerations(titles):
+    with pytest.raises(rr.RimrollError, match="no columns for the x, y and z of a gyroscope"):
+        read(table(titles, columns()[:4]))
+
+
+@pytest.mark.parametrize(
+    ("before", "separator", "decimal", "end"),
+    [
+        ("sep=;\n", ";", ",", ""),
+        ("\ufeffsep=,\n", ",", ".", "\x1a"),
+        ("Device;x;y\n\n", ";", ",", "\r\n\x1a"),
+    ],
+)
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
+def test_separators_marks_and_encodings(before, separator, decimal, end, encoding):
+    text = before + table(PHYPHOX, columns(), separator, decimal).replace("\n", "\r\n") + end
+    record = rr.gyro.read(io.BytesIO(text.encode(encoding)))
+    assert record.rates == pytest.approx(RATES, abs=1e-8)
+
+
 def test_lines_above_the_titles_are_passed_over():
     text = "Device: sensor\nDate: today\n" + table(PHYPHOX, columns())
     assert read(text).rates == pytest.approx(RATES, abs=1e-8)

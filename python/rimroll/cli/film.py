@@ -12,7 +12,7 @@ import typer
 from rimroll.cli.fit import BodyByOption, ConfidenceOption, GravityOption, OutputOption
 from rimroll.cli.fitted_numbers import numbers_table
 from rimroll.cli.formats import Forms, check, pictures, write, write_json
-from rimroll.cli.gyro import BODY_ERROR, pairs
+from rimroll.cli.gyro import BODY_ERROR
 from rimroll.cli.gyro_fit import first_law
 from rimroll.cli.options import (
     JsonOption,
@@ -20,9 +20,10 @@ from rimroll.cli.options import (
     MotionOptions,
     ResistanceOptions,
     StartOptions,
+    pairs,
 )
 from rimroll.cli.request import requested
-from rimroll.cli.screen import Bar, prose, say, show_json
+from rimroll.cli.screen import Bar, prose, say, show_json, working
 from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
 from rimroll.filmed.files import read
@@ -120,16 +121,21 @@ def film(
         columns=None if columns is None else _columns(columns),
     )
     unit = "m" if taken.kind == "path" else "rad"
-    found = fit_track(
-        taken,
-        what.body,
-        first_law(what.body, resistance),
-        marker=_marker(taken, marker),
-        error=None if error is None else quantity(error, unit, "--error"),
-        gravity=what.options.gravity,
-        confidence=quantity(confidence, "1", "--confidence"),
-        body_error=quantity(body_error, "1", "--body-error"),
-    )
+    point, sigma = _marker(taken, marker), None
+    if error is not None:
+        sigma = quantity(error, unit, "--error")
+    with working("fitting") as bar:
+        found = fit_track(
+            taken,
+            what.body,
+            first_law(what.body, resistance),
+            marker=point,
+            error=sigma,
+            gravity=what.options.gravity,
+            confidence=quantity(confidence, "1", "--confidence"),
+            body_error=quantity(body_error, "1", "--body-error"),
+            progress=lambda done, total: bar(done, total, ""),
+        )
     answer = {"body": what.name, **found.to_dict()}
     for file in files:
         write(file, (found, answer), FORMS)
@@ -171,7 +177,10 @@ def _columns(text: str) -> dict[str, str | int]:
 def _show(fit: TrackFit) -> None:
     path = fit.track.kind == "path"
     left = f"{1e3 * fit.residual:.2f} mm" if path else f"{math.degrees(fit.residual):.2f} degrees"
-    prose(f"fit up to the first largest tilt: {len(fit.t)} samples, residual {left}")
+    prose(
+        f"fit up to the first largest tilt, at {fit.t[-1]:.3f} s: {len(fit.t)} of"
+        f" {len(fit.track.t)} samples, residual {left}"
+    )
     shown = ("friction", "rolling_dry", "tilt", "tilt_rate", "yaw_rate", "spin_rate", "release")
     of_film = ("camera", "scale") if path else ()
     say(numbers_table(fit.numbers, [one for one in (*shown, *of_film) if one in fit.numbers]))

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 from rimroll.cli.contact import option
-from rimroll.cli.options import BodyOptions, MotionOptions, StartOptions, completing
+from rimroll.cli.options import BodyOptions, MotionOptions, StartOptions, completing, pairs
 from rimroll.cli.request import Shaking, is_file
 from rimroll.errors import RimrollError
 from rimroll.ground.described import NUMBERS, PULSES, Description
@@ -52,6 +52,27 @@ class RecordOptions:
             show_default=False,
         ),
     ] = False
+    columns: Annotated[
+        str | None,
+        _given(
+            "The columns of a table by name or number from 1, as in t=1,x=2,y=3. [found by name]",
+            "COLUMNS",
+        ),
+    ] = None
+    step: Annotated[
+        str | None, _given("Time between the samples of a table without times.", "TIME")
+    ] = None
+    time_unit: Annotated[
+        str | None,
+        _given("Unit of a table's times where their name has none: ms, us or ns. [s]", "UNIT"),
+    ] = None
+
+    @property
+    def layout(self) -> dict[str, Any]:
+        """What is said of the columns of a table, as arguments of readers."""
+        columns = None if self.columns is None else pairs("--columns", self.columns, "t=1,x=2,y=3")
+        step = None if self.step is None else quantity(self.step, "s", "--step")
+        return {"columns": columns, "step": step, "time_unit": self.time_unit}
 
 
 @dataclass(frozen=True)
@@ -139,6 +160,7 @@ def requested_shaking(options: GroundOptions, more: Sequence[Path], flat: str | 
         units=options.units,
         pad=options.pad,
         headings=None if options.headings is None else options.headings.split(","),
+        **options.layout,
     )
     try:
         ground = description.made(_called)

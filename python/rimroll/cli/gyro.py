@@ -18,6 +18,7 @@ from rimroll.cli.options import (
     MotionOptions,
     ResistanceOptions,
     StartOptions,
+    pairs,
 )
 from rimroll.cli.request import requested
 from rimroll.cli.screen import Bar, prose, say, show_json, table
@@ -27,7 +28,6 @@ from rimroll.gyro.analysis import Analysis, analyze
 from rimroll.gyro.collision import Collision
 from rimroll.gyro.files import read
 from rimroll.gyro.friction import Friction
-from rimroll.gyro.record import Record
 from rimroll.units import quantity
 
 RecordArgument = Annotated[
@@ -55,6 +55,12 @@ ColumnsOption = Annotated[
     typer.Option(
         help="The columns, by title or number from 1, as in t=1,x=gx,y=gy,z=gz. [found by title]",
         metavar="COLUMNS",
+    ),
+]
+TimeUnitOption = Annotated[
+    str | None,
+    typer.Option(
+        help="The unit of the times where their title has none: ms, us or ns. [s]", metavar="UNIT"
     ),
 ]
 BetweenOption = Annotated[
@@ -96,6 +102,7 @@ def gyro(
     axis: AxisOption = "auto",
     units: UnitsOption = None,
     columns: ColumnsOption = None,
+    time_unit: TimeUnitOption = None,
     between: BetweenOption = None,
     gravity: GravityOption = None,
     confidence: ConfidenceOption = "95%",
@@ -129,9 +136,11 @@ def gyro(
         sys.stdin.buffer if str(record) == "-" else record,
         units=units,
         columns=None if columns is None else pairs("--columns", columns, "t=1,x=gx,y=gy,z=gz"),
+        time_unit=time_unit,
+        between=None if between is None else _times(between),
     )
     found = analyze(
-        taken if between is None else _part(taken, between),
+        taken,
         what.body,
         axis=axis,
         gravity=what.options.gravity,
@@ -161,22 +170,14 @@ def gyro(
     return 0
 
 
-def _part(record: Record, text: str) -> Record:
+def _times(text: str) -> tuple[float, float]:
     times = text.split(",")
     if len(times) != 2:
         raise RimrollError(f'--between must be two times, as in "12 s,20 s", got {text}')
     start, end = (quantity(one.strip(), "s", "--between") for one in times)
     if not start < end:
         raise RimrollError(f"--between must be an earlier and a later time, got {text}")
-    return record.between(start, end)
-
-
-def pairs(option: str, text: str, example: str) -> dict[str, str]:
-    """The names and values of an option such as ``t=1,x=2``."""
-    parts = [part.partition("=") for part in text.split(",")]
-    if not all(equals for _, equals, _ in parts):
-        raise RimrollError(f"{option} must be as in {example}, got {text}")
-    return {name.strip(): value.strip() for name, _, value in parts}
+    return start, end
 
 
 def _numbers(part: Path, found: tuple[Analysis, dict[str, Any]], bar: Bar) -> None:

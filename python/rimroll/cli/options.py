@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rimroll import laws, surfaces
+from rimroll.errors import RimrollError
 from rimroll.laws import Parameter
 from rimroll.laws.shared import RESTITUTION
 from rimroll.names import typed
@@ -253,3 +254,11 @@ JsonOption = Annotated[
     bool,
     typer.Option("--json", help="Answer in JSON, in SI units and radians; errors too, on stderr."),
 ]
+
+
+def pairs(option: str, text: str, example: str) -> dict[str, str]:
+    """The names and values of an option such as ``t=1,x=2``."""
+    parts = [part.partition("=") for part in text.split(",")]
+    if not all(equals for _, equals, _ in parts):
+        raise RimrollError(f"{option} must be as in {example}, got {text}")
+    return {name.strip(): value.strip() for name, _, value in parts}

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
+from rimroll.cli.contact import option
 from rimroll.cli.ground import RecordOptions
 from rimroll.cli.options import completing, whole
 from rimroll.cli.ranges import ends
@@ -144,11 +145,12 @@ def requested_records(options: RecordsOptions, more: Sequence[Path]) -> dict[str
         if options.soil_period is not None:
             raise RimrollError("--soil-period needs --synthetic")
         if not files:
-            for name in ("units", "pad"):
+            for name in ("units", "pad", "columns", "step", "time_unit"):
                 if getattr(options, name):
-                    raise RimrollError(f"--{name} needs --record")
+                    raise RimrollError(f"{option(name)} needs --record")
             return {}
-        return read_all(*map(_files_of, files), units=options.units, pad=options.pad)
+        paths = map(_files_of, files)
+        return read_all(*paths, units=options.units, pad=options.pad, **options.layout)
     if files:
         raise RimrollError(f"--synthetic and the record {files[0]} are both given: give one")
     period = quantity(options.soil_period or "0.4 s", "s", "--soil-period")
@@ -224,9 +226,9 @@ def _measure(options: IntensityOptions) -> Measure:
     """The measure of the intensity."""
     name = choose("measure", options.measure, {name: name for name in MEASURES})
     horizontal = choose("horizontal", options.horizontal, {name: name for name in HORIZONTAL})
-    for option, text in (("--period", options.period), ("--damping", options.damping)):
+    for given, text in (("--period", options.period), ("--damping", options.damping)):
         if text is not None and name != "sa":
-            raise RimrollError(f"{option} is that of the oscillator of --measure sa")
+            raise RimrollError(f"{given} is that of the oscillator of --measure sa")
     if name != "sa":
         return Measure(name, horizontal)
     if options.period is None:

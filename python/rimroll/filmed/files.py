@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
-from rimroll.filmed.track import Track
+from rimroll.filmed.track import MIN_SAMPLES, Track
 from rimroll.table import Source, Table, source_name, table_of, text_of
+from rimroll.titles import columns_given, expect_step
 from rimroll.units import factor_of
 
 Array = NDArray[np.float64]
@@ -81,6 +82,12 @@ def read(
     factors = {one: _factor(table, places[one], one, units or {}) for one in wanted}
     values, missing = _numbers(table, [places[one] for one in wanted], above)
     values *= np.array([factors[one][0] for one in wanted])
+    if len(values) >= MIN_SAMPLES:
+        is_stated = factors["t"][2]
+        step = float(np.median(np.diff(values[:, 0])))
+        way_out = 'units={{"t": "{0}"}} (on the command line --units t={0})'
+        if step > 0.0:
+            expect_step(name, "film", step, is_stated, way_out)
     if kind == "lean":
         values[:, 2] = np.unwrap(values[:, 2])
     notes = (f"Lines without a marked position were left out: {missing}.",) if missing else ()
@@ -157,22 +164,13 @@ def _places(table: Table, span: range, columns: Mapping[str, str | int]) -> dict
                 f" {', '.join(table.titles)}: name the mass or the columns"
             )
         places[what] = i
-    for what, title in columns.items():
-        if what not in _UNIT:
-            raise RimrollError(f"columns must be for {', '.join(_UNIT)}, got {what!r}")
-        text = str(title).strip()
-        found = [i for i, one in enumerate(table.titles) if one.strip().lower() == text.lower()]
-        if not found and text.isdigit() and 1 <= int(text) <= table.width:
-            found = [int(text) - 1]
-        if len(found) != 1:
-            raise RimrollError(
-                f'{table.name} has no column "{text}"; it has {", ".join(table.titles)}'
-            )
-        places[what] = found[0]
-    return places
+    return places | columns_given(table, columns, tuple(_UNIT))
 
 
-def _factor(table: Table, place: int, what: str, units: Mapping[str, str]) -> tuple[float, str]:
+def _factor(
+    table: Table, place: int, what: str, units: Mapping[str, str]
+) -> tuple[float, str, bool]:
+    """The factor of a column, its unit, and whether that is stated."""
     parts = _TITLE.fullmatch(table.titles[place].strip())
     unit = (parts[2] if parts else None) or units.get(what)
     if unit is None:
@@ -181,11 +179,11 @@ def _factor(table: Table, place: int, what: str, units: Mapping[str, str]) -> tu
                 f"{table.name}: the column {table.titles[place]} names no unit: give it, as in"
                 f' units={{"{what}": "deg"}}'
             )
-        return 1.0, _UNIT[what]
+        return 1.0, _UNIT[what], False
     spelled = _ALIASES.get(unit, unit)
     if spelled == "deg" and _UNIT[what] == "rad":
-        return math.radians(1.0), unit
-    return factor_of(spelled, _UNIT[what], f"{table.name}: the unit of {what}", unit), unit
+        return math.radians(1.0), unit, True
+    return factor_of(spelled, _UNIT[what], f"{table.name}: the unit of {what}", unit), unit, True
 
 
 def _numbers(table: Table, places: list[int], above: int) -> tuple[Array, int]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import product
 from typing import Any
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.body import Body, one_body
-from rimroll.errors import RimrollError, expect
+from rimroll.errors import RimrollError, callback, expect
 from rimroll.filmed.model import FilmModel, Marker, plane_of
 from rimroll.filmed.result import TrackFit
 from rimroll.filmed.track import MIN_SAMPLES, Track
@@ -52,6 +52,8 @@ NEAR = 2.0
 """Searches that leave at most so many times as much as the best one count as minima."""
 MAX_RESTARTS = 3
 """How often the interval is sought anew because a lower minimum was met."""
+TOO_LATE = 0.05
+"""How long after the release a track may begin, s."""
 LONG = 1.5
 """Duration of the motions of a search, s."""
 LARGEST_START = 0.5
@@ -77,17 +79,20 @@ def fit_track(
     confidence: Number = 0.95,
     body_error: Number = 0.01,
     fit: Sequence[str] | None = None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> TrackFit:
     """Fit the motion after a release to a film of it.
 
-    The track begins while a hand holds the body at rest at the tilt of the release. The fit goes to
-    the largest tilt after the first near-collision. The start, the numbers of the law, the moment
-    of the release, and the camera's direction, origin and scale follow together by least squares.
-    The camera looks straight down from far away. The rates at the release are expected to be 0
-    within 0.5 rad/s, the scale to be right within 2 % (standard deviations).
+    The track begins while a hand holds the body at rest at the tilt of the release, at most 0.05 s
+    after it. The fit goes to the largest tilt after the first near-collision. The start, the
+    numbers of the law, the moment of the release, and the camera's direction, origin and scale
+    follow together by least squares. The camera looks straight down from far away. The rates at the
+    release are expected to be 0 within 0.5 rad/s, the scale to be right within 2 % (standard
+    deviations).
 
-    Raises ``RimrollError`` for a track in which nothing moves, one that ends before the largest
-    tilt after a near-collision, and one that no motion describes.
+    Raises ``RimrollError`` for a track in which nothing moves, one that moves farther than the body
+    can carry its marker, one that ends before the largest tilt after a near-collision, and one that
+    no motion describes.
 
     Parameters
     ----------
@@ -105,6 +110,8 @@ def fit_track(
         Larger residuals widen all intervals.
     gravity, confidence, body_error, fit
         As for :func:`rimroll.fit_motion`.
+    progress
+        Called with what is done and what is to do in all, as the search goes on.
 
     Returns
     -------
@@ -144,8 +151,46 @@ def fit_track(
     pull = positive("gravity", gravity, "m/s^2")
     end = float(track.t[-1])
     first = FilmModel(body, given, free, pull, track, point, end, sigma, deviation)
-    begun = [_refined(first, *one) for one in _guesses(first)]
-    return _result(_minima(begun), level)
+    callback("progress", progress)
+    _expect_within_reach(first)
+    tell = progress or (lambda done, total: None)
+    guesses = _guesses(first)
+    parts = len(guesses) + 2  # the searches, the last ones, the interval
+    begun = []
+    for i, guess in enumerate(guesses):
+        tell(i, parts)
+        begun.append(_refined(first, *guess))
+    tell(parts - 2, parts)
+    minima = _minima(begun)
+    tell(parts - 1, parts)
+    return _result(minima, level)
+
+
+def _expect_within_reach(model: FilmModel) -> None:
+    """Refuse a track in which a marker goes where no rocking body carries it.
+
+    In a rocking, from its largest tilt on one side to that on the other, the centre of the base
+    moves by less than two diameters, and the marker leans by less than its distance from the base's
+    centre on either side.
+    """
+    track, body = model.track, model.body
+    if track.kind != "path":
+        tilt, farthest = float(np.abs(track.plane()).max()), math.pi / 2.0
+        if tilt > farthest:
+            raise RimrollError(
+                f"{track.name}: a tilt of {math.degrees(tilt):.0f} degrees is beyond lying down:"
+                " check the unit of the angles"
+            )
+        return
+    seen = track.plane()
+    extent = float(np.abs(seen - np.median(seen[:3].real) - 1j * np.median(seen[:3].imag)).max())
+    reach = 4.0 * body.radius + 2.0 * math.hypot(model.marker.radius, model.marker.height)
+    if extent > reach:
+        raise RimrollError(
+            f"{track.name}: the marker moves by {extent:.3g} m, but this body carries it by at most"
+            f" {reach:.2g} m while it rocks: check the units, the scale and the body, and cut the"
+            " film where it topples or rolls away"
+        )
 
 
 def _guesses(model: FilmModel) -> list[tuple[Array, float]]:
@@ -169,6 +214,9 @@ def _guesses(model: FilmModel) -> list[tuple[Array, float]]:
             until = release + last
             used = track.t <= until
             spread = float(np.var(seen[used])) if used.any() else 0.0
+            # The body is held where the track begins.
+            if release < track.t[0] - TOO_LATE:
+                continue
             # A track without noise that ends before it moves has no spread to compare with.
             if used.sum() < MIN_SAMPLES or spread == 0.0 or until > track.t[-1] + 1e-2:
                 continue
@@ -191,11 +239,15 @@ def _guesses(model: FilmModel) -> list[tuple[Array, float]]:
     found.sort(key=lambda one: one[0])
     if not found:
         raise RimrollError(
-            f"{track.name}: it ends before the largest tilt after a near-collision, or the body"
-            " is another one"
+            f"{track.name}: it begins after the release, or ends before the largest tilt after a"
+            " near-collision, or the body is another one"
         )
     if found[0][0] > LARGEST_START**2:
-        raise RimrollError(f"{track.name}: no fall of this body looks like it")
+        raise RimrollError(
+            f"{track.name}: no fall of this body looks like it: at best,"
+            f" {100.0 * math.sqrt(found[0][0]):.0f} % of the movement is left. Check the body, the"
+            " marker and the units, and that the track begins while the body is held"
+        )
     # The best one of each friction and side, because several minima may lie close together.
     chosen: dict[tuple[float, ...], tuple[Array, float]] = {}
     places = [i for i, name in enumerate(model.names) if name in ("friction", "yaw_rate")]

@@ -48,6 +48,9 @@ class Description:
     component: str | None = None
     pad: bool = False
     headings: Sequence[str] | None = None
+    columns: Mapping[str, str | int] | None = None
+    step: float | None = None
+    time_unit: str | None = None
 
     def made(self, called: Callable[[str], str] = str) -> Ground | None:
         """The ground; None if there is neither a record nor a pulse.
@@ -78,8 +81,11 @@ class Description:
                 units=self.units,
                 component=self.component,
                 pad=self.pad,
+                columns=self.columns,
+                step=self.step,
+                time_unit=self.time_unit,
             )
-        for name in ("headings", "units", "component", "pad"):
+        for name in ("headings", "units", "component", "pad", "columns", "step", "time_unit"):
             if getattr(self, name) not in (None, False):
                 raise RimrollError(f"{called(name)} needs {called('record')}")
         return None

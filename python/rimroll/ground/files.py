@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,10 +12,12 @@ from numpy.typing import NDArray
 from rimroll.errors import RimrollError
 from rimroll.given import Number
 from rimroll.ground.at2 import Component, component_of, is_at2
-from rimroll.ground.columns import columns_of
+from rimroll.ground.columns import Layout, columns_of
+from rimroll.ground.formats import OBSPY, refuse_other_format
 from rimroll.ground.ground import Ground
-from rimroll.ground.names import DOWN, UP, Direction, given_direction
+from rimroll.ground.names import DOWN, UP, Direction, expect_strength, given_direction
 from rimroll.ground.records import along, sampled
+from rimroll.ground.streams import EAST
 from rimroll.table import Source, source_name, text_of
 
 Array = NDArray[np.float64]
@@ -31,25 +33,34 @@ def read(
     units: str | None = None,
     component: str | None = None,
     pad: bool = False,
+    columns: Mapping[str, str | int] | None = None,
+    step: Number | None = None,
+    time_unit: str | None = None,
 ) -> Ground:
     """A record from files, whose format is known by their content.
 
-    **AT2** (PEER): a file for each component, one to three. The direction is read from the end of
-    line 2: a heading in degrees clockwise from north, or UP, VER, DWN and the like. x points in the
-    direction of the first horizontal file, y at a right angle to its left, seen from above, and z
-    upward. So if the second horizontal file points to the right of the first, its sign is changed,
-    and so is that of a vertical file that points down. :attr:`Ground.heading` is that of x. The
-    horizontal directions must be perpendicular within 1 degree. The unit g is 9.80665 m/s².
+    **AT2** (PEER, OpenSees): a file for each component, one to three. The direction is read from
+    the end of line 2: a heading in degrees clockwise from north, or UP, VER, DWN and the like. x
+    points in the direction of the first horizontal file, y at a right angle to its left, seen from
+    above, and z upward. So if the second horizontal file points to the right of the first, its sign
+    is changed, and so is that of a vertical file that points down. :attr:`Ground.heading` is that
+    of x. The horizontal directions must be perpendicular within 1 degree. Where line 2 names the
+    axes of the instrument, L, T and V, or H1 and H2, these are x, y and z, and the heading is not
+    known. The
+    unit g is 9.80665 m/s².
 
     **CSV**: one file, with a line of names of columns and their units: ``t (s)``, and ``ax``,
     ``ay``, ``az``, or one column of any name, in ``(m/s2)``, ``[g]``, ``(cm/s2)``, ``(gal)`` or
-    another unit of acceleration. Commas, semicolons, tabs or spaces separate columns. Times must
-    have equal steps; the first is taken as t = 0. At most 20 MB are read from a file.
+    another unit of acceleration. E, N, Z or EW, NS, UD are x, y and z, too. Velocities and
+    displacements beside them are passed over, and so are lines above the names. Commas, semicolons,
+    tabs or spaces separate columns. Times must have equal steps; the first is taken as t = 0. At
+    most 20 MB are read from a file.
 
     For other formats see :func:`from_obspy`.
 
     Raises ``RimrollError``, with file and line, for files that are cut, hold text among their
-    numbers or another number of samples than they say, for other quantities and unknown units; and
+    numbers or another number of samples than they say, for other quantities and unknown units; for
+    steps and accelerations that no record has, such as times in milliseconds without a unit; and
     for components that differ in step or length, or whose directions do not go together.
 
     Parameters
@@ -67,34 +78,56 @@ def read(
     pad
         Whether AT2 files that are shorter than the longest get zeros at their end. This is right
         where all components begin at the same time, which the files do not say.
+    columns
+        The names, or numbers from 1, of the columns ``"t"``, ``"x"``, ``"y"`` and ``"z"`` of a
+        table, where they are not found by their names. Those that are not given are not read.
+    step
+        The time between two samples of a table without times, s.
+    time_unit
+        The unit of the times of a table where their name has none: ``"ms"``, ``"us"``, ``"ns"``.
+        They are taken as seconds otherwise.
     """
     if component not in (None, "x", "y", "z"):
         raise RimrollError(f'component must be "x", "y" or "z", got {component!r}')
-    return record_of(texts_of(files), headings, units, component, pad)
+    layout = Layout(units, component, columns, step, time_unit)
+    return record_of(texts_of(files), layout, headings, pad)
 
 
 def texts_of(files: Sequence[Source]) -> list[tuple[str, str]]:
-    """The name and the text of each file; ``RimrollError`` for one that is empty."""
+    """The name and the text of each file.
+
+    Raises ``RimrollError`` for one that is empty, no text, or in a format that is not read.
+    """
     if not files:
         raise RimrollError("files must be one or more, got none")
-    texts = [(name := source_name(file), text_of(name, file)) for file in files]
+    texts = [(name := source_name(file), _text(name, file)) for file in files]
     for name, text in texts:
         if not text.strip():
             raise RimrollError(f"{name} is empty")
+        refuse_other_format(name, text)
     return texts
+
+
+def _text(name: str, file: Source) -> str:
+    try:
+        return text_of(name, file)
+    except RimrollError as error:
+        if "is no text file" not in str(error):
+            raise
+        raise RimrollError(f"{error}; for miniSEED, SAC and other binary files, {OBSPY}") from None
 
 
 def record_of(
     texts: Sequence[tuple[str, str]],
+    layout: Layout,
     headings: Sequence[Number] | None = None,
-    units: str | None = None,
-    component: str | None = None,
     pad: bool = False,
 ) -> Ground:
     """The record in files with these names and texts; arguments and errors as for :func:`read`."""
     if all(is_at2(text) for _, text in texts):
-        components = [component_of(*one, units) for one in texts]
-        return _of_components(_of_one_length(components, pad), headings, component)
+        layout.expect_none_of_tables(texts[0][0])
+        components = [component_of(*one, layout.units) for one in texts]
+        return _of_components(_of_one_length(components, pad), headings, layout.component)
     if len(texts) > 1:
         table = next(name for name, text in texts if not is_at2(text))
         raise RimrollError(
@@ -102,8 +135,10 @@ def record_of(
         )
     if headings is not None:
         raise RimrollError("headings are for AT2 files: a CSV file names its components x, y and z")
-    read = columns_of(*texts[0], units, component)
-    return sampled(read.step, read.samples)
+    name = texts[0][0]
+    found = columns_of(*texts[0], layout)
+    expect_strength(name, float(np.abs(found.samples).max()))
+    return Ground(sampled(found.step, found.samples).core, EAST if found.is_compass else None)
 
 
 def _of_one_length(components: list[Component], pad: bool) -> list[Component]:
@@ -136,11 +171,15 @@ def _of_components(
     components: list[Component], headings: Sequence[Number] | None, axis: str | None
 ) -> Ground:
     first = components[0]
+    for one in components:
+        expect_strength(one.name, float(np.abs(one.samples).max()))
     directions = _directions(components, headings)
     if len(components) == 1:
         return _alone(first, directions[0], axis)
     if axis is not None:
         raise RimrollError(f"component is for a single one, and there are {len(components)} files")
+    if None in directions and (placed := _on_axes(components, directions)) is not None:
+        return sampled(first.step, placed)
     samples = np.zeros((len(first.samples), 3))
     horizontal: list[tuple[Component, float]] = []
     vertical: list[Component] = []
@@ -166,6 +205,20 @@ def _of_components(
     if len(horizontal) == 2:
         samples[:, 1] = _sign_of_second(*horizontal) * horizontal[1][0].samples
     return Ground(sampled(first.step, samples).core, horizontal[0][1])
+
+
+def _on_axes(components: list[Component], directions: list[Direction | None]) -> Array | None:
+    """The samples where line 2 names axes of the instrument, such as L, T and V; None where not."""
+    axes = [
+        one.axis if direction is None else ("z" if isinstance(direction, str) else None)
+        for one, direction in zip(components, directions, strict=True)
+    ]
+    if None in axes or len(set(axes)) < len(axes):
+        return None
+    samples = np.zeros((len(components[0].samples), 3))
+    for one, direction, axis in zip(components, directions, axes, strict=True):
+        samples[:, "xyz".index(str(axis))] = one.samples * (-1.0 if direction == DOWN else 1.0)
+    return samples
 
 
 def _directions(

@@ -13,8 +13,16 @@ from numpy.typing import NDArray
 from rimroll import _core
 from rimroll.errors import RimrollError, hold
 from rimroll.given import Number, Values, number, numbers, positive
-from rimroll.ground.lines import Lines, lines_of
-from rimroll.ground.peaks import HORIZONTAL, Peak, along, combined, peak_of
+from rimroll.ground.lines import Lines, lines_of, takes_long
+from rimroll.ground.peaks import (
+    HORIZONTAL,
+    Peak,
+    along,
+    bound_of_peak,
+    combined,
+    peak_of,
+    peak_of_part,
+)
 from rimroll.names import choose
 
 if TYPE_CHECKING:
@@ -142,7 +150,7 @@ class Ground:
         They are exact for a record and for a pulse. Sums of different pulses are searched at a
         thousand points in each period, which can miss the peak by 2e-5 of it.
         """
-        return peak_of(self._lines.acceleration)
+        return peak_of_part(self.core) or peak_of(self._lines.acceleration)
 
     @cached_property
     def peak_velocity(self) -> Peak:
@@ -302,9 +310,13 @@ class Ground:
         return f"<Ground of {self.in_words(': ')}>"
 
     def in_words(self, after_kind: str = ", ") -> str:
-        """What it consists of, its duration and its peaks."""
-        peaks = ", ".join(f"{value:.4g}" for value in self.peak[:3])
-        return f"{self._kind()}{after_kind}{self.duration:.6g} s, peaks {peaks} m/s²"
+        """What it consists of, its duration and its peaks, or a bound that takes no search."""
+        peak = peak_of_part(self.core)
+        words = "peaks"
+        if peak is None and takes_long(self.core):
+            peak, words = bound_of_peak(self.core), "peaks at most"
+        peaks = ", ".join(f"{value:.4g}" for value in (peak or self.peak)[:3])
+        return f"{self._kind()}{after_kind}{self.duration:.6g} s, {words} {peaks} m/s²"
 
     def _kind(self) -> str:
         """What it consists of, in words."""
@@ -315,7 +327,12 @@ class Ground:
         return " and ".join(words)
 
     def _repr_html_(self) -> str:
-        """The view in notebooks: the largest accelerations, velocities and displacements."""
+        """The view in notebooks: the largest accelerations, velocities and displacements.
+
+        If the search for them takes long, it is the text.
+        """
+        if takes_long(self.core):
+            return f"<p>{self.in_words(': ')}</p>"
         rows = (
             ("acceleration", self.peak, "m/s²"),
             ("velocity", self.peak_velocity, "m/s"),

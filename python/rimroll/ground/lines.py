@@ -36,6 +36,20 @@ class Lines:
     """The time over which the acceleration changes, s."""
 
 
+MAX_QUICK = 30_000
+"""The number of points up to which a ground is followed in a few milliseconds."""
+
+
+def takes_long(core: _core.CoreGround) -> bool:
+    """Whether :func:`lines_of` takes more than milliseconds, or refuses the ground."""
+    cycles = (
+        duration / min(period or duration, duration) for _, _, period, duration, _ in core.pulses()
+    )
+    record = core.samples()
+    points = PER_PERIOD * sum(cycles) + (len(record[1]) if record is not None else 0)
+    return points > MAX_QUICK
+
+
 def lines_of(core: _core.CoreGround) -> Lines:
     """The lines of a ground.
 

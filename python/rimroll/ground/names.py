@@ -20,6 +20,17 @@ _VERTICAL = {
 }
 _COMPASS = {"n": 0.0, "ns": 0.0, "e": 90.0, "ew": 90.0, "s": 180.0, "sn": 180.0}
 _COMPASS |= {"w": 270.0, "we": 270.0}
+_UNSAID = {
+    **dict.fromkeys(("l", "ln", "lon", "long", "longitudinal", "h1", "x"), "x"),
+    **dict.fromkeys(("t", "tr", "tran", "trans", "transverse", "h2", "y"), "y"),
+}
+_CHANNEL = re.compile(r"[a-z][nlhg]([enz])")
+"""A code of band, instrument and orientation, as in HNE."""
+
+RECORD = "record of an earthquake"
+STRONGEST = 1e3
+"""The largest acceleration of a record, m/s²: 100 times gravity."""
+
 _QUADRANT = re.compile(r"([ns])(\d{1,2})([ew])")
 _DEGREES = re.compile(r"(\d{1,3}(?:\.\d*)?)(?:\s*(?:deg|°))?")
 _SECONDS = re.compile(r"\b(?:seconds?|sec)\b")
@@ -61,6 +72,42 @@ def direction_of(text: str) -> Direction | None:
         angle = float(degrees[1])
         return math.radians(angle % 360.0) if angle <= 360.0 else None
     return None
+
+
+def axis_of(text: str) -> str | None:
+    """The axis of a component whose direction is not known: x for L and H1, y for T and H2."""
+    return _UNSAID.get(text.strip().lower())
+
+
+def axis_of_channel(name: str) -> tuple[str, bool] | None:
+    """The axis of a channel, or of a column's name, and whether it is one of the compass.
+
+    E is x, N is y, Z is z; or X, Y, Z. K-NET and KiK-net write EW, NS and UD, the latter with 1
+    (in the borehole) or 2 (at the surface) behind them; codes of channels end with the letter.
+
+    >>> axis_of_channel("HNE"), axis_of_channel("NS2"), axis_of_channel("HN1")
+    (('x', True), ('y', True), None)
+    """
+    word = name.strip().lower().replace("-", "")
+    axes = {"e": "x", "ew": "x", "east": "x", "n": "y", "ns": "y", "north": "y"}
+    vertical = ("z", "ud", "updn", "up", "vertical")
+    bare = word[:-1] if re.fullmatch(r"(ew|ns|ud)[12]", word) else word
+    code = _CHANNEL.fullmatch(word)
+    letter = code[1] if code else bare
+    if letter in axes:
+        return axes[letter], True
+    if letter in vertical:
+        return "z", False
+    return (letter, False) if letter in ("x", "y") else None
+
+
+def expect_strength(where: str, peak: float) -> None:
+    """Raise ``RimrollError`` for a peak (m/s²) that no record has: counts, or another unit."""
+    if not peak <= STRONGEST:
+        raise RimrollError(
+            f"{where}: its largest acceleration, {peak:.3g} m/s², is above {STRONGEST:g} m/s²,"
+            " which no record reaches: check the unit, and whether the samples are counts"
+        )
 
 
 def given_direction(field: str, value: object) -> Direction:

@@ -6,15 +6,22 @@ from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
 from rimroll.given import numbers, positive
 from rimroll.ground.ground import Ground
-from rimroll.ground.names import factor_of_unit
+from rimroll.ground.names import (
+    RECORD,
+    STRONGEST,
+    axis_of_channel,
+    expect_strength,
+    factor_of_unit,
+)
 from rimroll.ground.records import sampled
+from rimroll.titles import expect_step
 
-AXIS_OF = {"E": "x", "N": "y", "Z": "z", "X": "x", "Y": "y"}
-"""The axis of each last letter of a channel."""
+Array = NDArray[np.float64]
 
 EAST = np.pi / 2.0
 
@@ -23,17 +30,21 @@ def from_obspy(stream: Iterable[Any], units: str) -> Ground:
     """The record of a stream of ObsPy, which reads miniSEED, SAC, K-NET and many other formats.
 
     Raises ``RimrollError`` for a unit that is no acceleration, for traces with gaps, of another
-    component, or that differ in sampling, length or beginning.
+    component, or that differ in sampling, length or beginning; and for data that no record has,
+    such as counts.
 
     Parameters
     ----------
     stream
         One to three traces of one station with equal sampling. The last letter of a channel says
-        the component: E is x, N is y and Z, upward, is z; or X, Y, Z. Others must be rotated first,
-        as by ``stream.rotate("->ZNE", inventory=...)``.
+        the component: E is x, N is y and Z, upward, is z; or X, Y, Z; or EW, NS and UD of K-NET,
+        with 1 or 2 behind them for KiK-net. Others must be rotated first, as by
+        ``stream.rotate("->ZNE", inventory=...)``. The data are multiplied by ``stats.calib``, as
+        K-NET's counts need it, unless the instrument's response was removed.
     units
-        The unit of the data, which must be an acceleration: ``"m/s2"``, ``"g"``, ``"gal"``. Counts
-        must be converted first, as by ``stream.remove_response(output="ACC")``.
+        The unit of the data times ``stats.calib``, which must be an acceleration: ``"m/s2"`` (as
+        for K-NET), ``"g"``, ``"gal"``. Counts without such a factor must be converted first, as by
+        ``stream.remove_response(output="ACC")``.
     """
     try:
         traces = list(stream)
@@ -45,26 +56,54 @@ def from_obspy(stream: Iterable[Any], units: str) -> Ground:
     factor = factor_of_unit(units, "units")
     first = traces[0]
     step = positive(f"the step of {named[0][0]}", first.stats.delta, "s")
+    expect_step(f"{named[0][0]}: stats.delta", RECORD, step, is_stated=True)
     samples = np.zeros((len(first.data), 3))
-    letters: list[str] = []
+    axes: dict[str, bool] = {}
     for channel, trace in named:
-        data = numbers(f"the data of {channel}", trace.data)
-        letter = channel[-1:].upper()
-        if letter not in AXIS_OF:
+        found = axis_of_channel(channel) or axis_of_channel(channel[-1:])
+        if found is None:
             raise RimrollError(
                 f"the channel {channel!r} ends with none of E, N, Z, X, Y: rotate the stream first,"
                 ' as by stream.rotate("->ZNE", inventory=...)'
             )
-        if AXIS_OF[letter] in (AXIS_OF[other] for other in letters):
+        axis, is_compass = found
+        if axis in axes:
             raise RimrollError(
-                f"stream has more than one trace along {AXIS_OF[letter]}: merge its traces first,"
-                " and choose one station"
+                f"stream has more than one trace along {axis}, {channel} among them: merge its"
+                " traces first, and choose one station and one depth"
             )
-        letters.append(letter)
+        axes[axis] = is_compass
         _expect_same(named[0][0], first, channel, trace)
-        samples[:, "xyz".index(AXIS_OF[letter])] = factor * data
-    heading = EAST if {"E", "N"} & set(letters) else None
+        samples[:, "xyz".index(axis)] = _accelerations(channel, trace, factor)
+    heading = EAST if any(axes.values()) else None
     return Ground(sampled(step, samples).core, heading)
+
+
+CONVERTED = ("remove_response", "remove_sensitivity", "simulate")
+"""Methods of ObsPy after which data are no counts any more."""
+FAINT = 1e-3
+"""The peak below which a record looks as if it had been calibrated twice, m/s²."""
+
+
+def _accelerations(channel: str, trace: Any, factor: float) -> Array:
+    """The data of a trace, m/s², with the factor of its calibration."""
+    data = factor * numbers(f"the data of {channel}", trace.data)
+    calib = float(getattr(trace.stats, "calib", 1.0))
+    history = " ".join(map(str, getattr(trace.stats, "processing", ())))
+    before = float(np.nanmax(np.abs(data), initial=0.0))
+    if calib == 1.0 or any(f"{method}(" in history for method in CONVERTED):
+        expect_strength(channel, before)
+        return data
+    if not (np.isfinite(calib) and calib != 0.0):
+        raise RimrollError(f"{channel}: stats.calib must be a factor, got {calib}")
+    after = abs(calib) * before
+    if after < FAINT < before <= STRONGEST:
+        raise RimrollError(
+            f"{channel}: stats.calib is {calib:.3g}, with which its peak would be {after:.2g} m/s²"
+            f" instead of {before:.2g}: if it was applied already, set trace.stats.calib = 1"
+        )
+    expect_strength(f"{channel}, stats.calib applied", after)
+    return calib * data
 
 
 def _expect_same(first_name: str, first: Any, name: str, trace: Any) -> None:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
+from rimroll.given import Number, number
 from rimroll.gyro.phyphox import SIMULATED
 from rimroll.gyro.record import Record
 from rimroll.gyro.times import with_even_notes
@@ -21,25 +22,33 @@ from rimroll.table import MOST_BYTES, Source, Table, source_name, table_of, text
 
 Array = NDArray[np.float64]
 
-_ZIP, _OLD_EXCEL = b"PK\x03\x04", b"\xd0\xcf\x11\xe0"
+_ZIP = b"PK\x03\x04"
 _COLUMNS = 4
 """A time and three axes."""
 
 
 def read(
-    file: Source, *, units: str | None = None, columns: Mapping[str, str | int] | None = None
+    file: Source,
+    *,
+    units: str | None = None,
+    columns: Mapping[str, str | int] | None = None,
+    time_unit: str | None = None,
+    between: tuple[Number, Number] | None = None,
 ) -> Record:
     """The record of a gyroscope from a file.
 
     A file is a CSV file with the titles of its columns, their units in brackets: as phyphox exports
     it, alone or in a zip file (``Time (s)``, ``Gyroscope x (rad/s)``, …); with columns for angular
     velocity as PocketLab and Vernier have them (``Angular Velocity X (deg/s)``,
-    ``Data Set 1:Gyro x (°/s)``); or any other, whose columns you name. Commas, semicolons or tabs
-    separate columns, decimals follow a point or a comma. At most 20 MB are read.
+    ``Data Set 1:Gyro x (°/s)``), SensorLog (``motionRotationRateX(rad/s)``) or Sensor Logger
+    (``seconds_elapsed``, ``z``, ``y``, ``x``); or any other, whose columns you name. Commas,
+    semicolons or tabs separate columns, decimals follow a point or a comma. At most 20 MB are read.
+    Samples that come in packets, with one time for several, are spread evenly between the times.
 
     Raises ``RimrollError``, with file and line, for a file of something else, such as
-    accelerations; for text among the numbers; for times that go back; for units that are missing or
-    contradict each other.
+    accelerations; for text among the numbers; for times that go back, and for packets that do not
+    come evenly; for units that are missing or contradict each other; and for times that no
+    gyroscope has, such as milliseconds without a unit.
 
     Parameters
     ----------
@@ -50,6 +59,11 @@ def read(
     columns
         The titles, or numbers from 1, of the columns ``"t"``, ``"x"``, ``"y"`` and ``"z"``, where
         they are not found by their titles.
+    time_unit
+        The unit of the times where their title has none: ``"ms"``, ``"us"``, ``"ns"``. They are
+        taken as seconds otherwise.
+    between
+        Two times, s: only the samples from the first to the second are read.
 
     Returns
     -------
@@ -60,12 +74,18 @@ def read(
     """
     name, text = _text(file)
     simulated = text.startswith(SIMULATED)
-    text, above = _below_preamble(text)
-    table, cut = _table(name, text, above)
-    chosen = chosen_columns(table, units, columns)
+    table, cut = _table(name, text)
+    chosen = chosen_columns(table, units, columns, time_unit)
     notes = ["The last line is not complete and was left out."] if cut else []
     t, rates = _numbers(table, chosen)
-    record, more = with_even_notes(name, t, rates, [row.line + above for row in table.rows])
+    lines = np.array([row.line for row in table.rows])
+    if between is not None:
+        start, end = (number("between", one, "s") for one in between)
+        if not start < end:
+            raise RimrollError(f"between must be an earlier and a later time, got {start}, {end} s")
+        inside = (t >= start) & (t <= end)
+        t, rates, lines = t[inside], rates[inside], lines[inside]
+    record, more = with_even_notes(name, t, rates, lines, chosen.is_stated)
     source = f"{chosen.in_words}; {len(record)} samples, {record.sampling_rate:.4g} Hz"
     return replace(record, source=source, notes=(*notes, *more), simulated=simulated)
 
@@ -82,8 +102,6 @@ def _text(file: Source) -> tuple[str, str]:
     else:
         read = file.read(MOST_BYTES + 1)
         head, file = read[:4], io.BytesIO(read)
-    if head == _OLD_EXCEL:
-        raise RimrollError(f"{name} is an Excel file: export it as CSV")
     if head != _ZIP:
         try:
             return name, text_of(name, file)
@@ -127,29 +145,7 @@ def _text_in_zip(name: str, file: Source) -> tuple[str, str]:
         raise RimrollError(f"{name} does not read as a zip file: {error}") from None
 
 
-def _below_preamble(text: str) -> tuple[str, int]:
-    """The text from its line of titles on, and the number of lines above it.
-
-    Some programs write the device and the date first: the titles are the line before the numbers.
-    """
-    lines = text.splitlines(keepends=True)
-    for i, line in enumerate(lines[:50]):
-        if _is_numbers(line):
-            first = i - 1
-            while first > 0 and not lines[first].strip():
-                first -= 1
-            return ("".join(lines[first:]), first) if first > 0 else (text, 0)
-    return text, 0
-
-
-def _is_numbers(line: str) -> bool:
-    """Whether a line begins with a number and holds only numbers and separators."""
-    body = line.strip().replace('"', "")
-    allowed = set("0123456789+-−.,;eE \tnaNinfINF")
-    return bool(body) and body.lstrip("+-−.")[:1].isdigit() and set(body) <= allowed
-
-
-def _table(name: str, text: str, above: int) -> tuple[Table, bool]:
+def _table(name: str, text: str) -> tuple[Table, bool]:
     """The table, without a last line that was cut; whether there was one."""
     try:
         return table_of(name, text, has_columns=True), False

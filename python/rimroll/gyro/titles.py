@@ -3,26 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from rimroll.errors import RimrollError, UnitError
 from rimroll.table import Table
+from rimroll.titles import Title, columns_given, seconds_of, time_column, titles_of
 from rimroll.units import factor_of
 
-_UNIT_AT_END = re.compile(r"(.*?)\s*[\[(]\s*([^\[\]()]*?)\s*[\])]")
-_RUN = re.compile(r"^.*?:\s*")
-"""What Vernier writes before a title: the run or data set."""
-_TIME = re.compile(r"t|time|zeit|temps|tiempo|seconds[ _]elapsed|elapsed[ _]time|time[ _]elapsed")
 _GYRO = re.compile(
-    r"gyro|angular[ _-]*(velocity|rate|speed)|rotation[ _-]*rate|drehrate|winkelgeschwindigkeit"
-    r"|omega|^w[ _.-]*[xyz]$|ω"
+    r"gyr|angular (velocity|rate|speed)|angvel|rotation ?rate|drehrate|winkelgeschwindigkeit"
+    r"|\bomega|^w ?[xyz]$|ω"
 )
-_OTHER = re.compile(r"acc|magnet|mag[ _.-]|orient|angle|grav|baro|press|temper|absol|magnitude")
-_ACCELEROMETER = re.compile(r"acc|beschleunigung")
-_AXIS = re.compile(r"(?:^|[^a-z])([xyz])(?:$|[^a-z])")
-_AXIS_IN_NAME = re.compile(r"^(?:gyro|omega|g|w)([xyz])$")
-_PLAIN = re.compile(r"[xyz]")
+_OTHER = re.compile(r"\bacc|magnet|\bmag\b|orient|\bangle|grav|baro|press|temper|\babs|\bnorm")
+_ACCELERATION = re.compile(r"\bacc(el|eleration|elerometer)?( ?[xyz])?\b|beschleunigung")
+_AXIS_IN_WORD = re.compile(r"(?:gyro?|omega|g|w|rot|rate|angvel|ω)([xyz])|([xyz])(?:gyro?|rate)")
 
 _RATES = {
     **dict.fromkeys(("rad/s", "rad/sec", "rads/s", "rad s^-1", "rad·s⁻¹", "radians/s"), "rad/s"),
@@ -30,6 +25,9 @@ _RATES = {
         ("deg/s", "°/s", "º/s", "dps", "deg/sec", "degrees/s", "degree/s", "°/sec", "degrees/sec"),
         "deg/s",
     ),
+    **dict.fromkeys(("rad_s", "rads_s", "rads", "rad_sec", "radians/sec"), "rad/s"),
+    **dict.fromkeys(("deg_s", "degs", "degrees_s", "deg_sec", "degrees per second"), "deg/s"),
+    "mdps": "mdeg/s",
 }
 
 
@@ -40,82 +38,53 @@ class Chosen:
     t: int
     axes: tuple[int, int, int]
     seconds: float
+    is_stated: bool
+    """Whether the unit of the times is stated."""
     factor: float
     in_words: str
 
 
 def chosen_columns(
-    table: Table, units: str | None, columns: Mapping[str, str | int] | None
+    table: Table,
+    units: str | None,
+    columns: Mapping[str, str | int] | None,
+    time_unit: str | None,
 ) -> Chosen:
     """The columns, by what the user named or by their titles; errors as for ``read``."""
-    given = _given(table, columns)
-    t = given.get("t", _time(table) if "t" not in given else 0)
-    missing = [axis for axis in "xyz" if axis not in given]
-    found = _axes(table, t) if missing else {}
-    axes = tuple(given.get(axis, found.get(axis, -1)) for axis in "xyz")
-    assert len(axes) == 3
-    title = [_split(table, place) for place in (t, *axes)]
-    factor, unit = _factor(table, [title[i] for i in (1, 2, 3)], units)
-    written = [table.titles[i] if table.titles else f"column {i + 1}" for i in (t, *axes)]
-    spelled = f"times {written[0]}; rates {written[1]}, {written[2]}, {written[3]} in {unit}"
-    return Chosen(t, axes, _seconds(table, title[0]), factor, spelled)
-
-
-def _given(table: Table, columns: Mapping[str, str | int] | None) -> dict[str, int]:
-    places: dict[str, int] = {}
-    for what, title in (columns or {}).items():
-        if what not in ("t", "x", "y", "z"):
-            raise RimrollError(f'columns must be for "t", "x", "y" and "z", got {what!r}')
-        text = str(title).strip()
-        named = [i for i, one in enumerate(table.titles) if one.strip().lower() == text.lower()]
-        if not named and text.isdigit() and 1 <= int(text) <= table.width:
-            named = [int(text) - 1]
-        if len(named) != 1:
-            have = ", ".join(table.titles) or f"{table.width} columns without titles"
-            raise RimrollError(f'{table.name} has no column "{text}"; it has {have}')
-        places[what] = named[0]
-    if len(set(places.values())) < len(places):
-        raise RimrollError(f"columns must be different ones, got {dict(columns or {})}")
-    return places
-
-
-def _split(table: Table, place: int) -> tuple[str, str | None]:
-    """The name of a column in small letters, without the run, and its unit."""
-    if not table.titles:
-        return "", None
-    title = _RUN.sub("", table.titles[place].strip())
-    parts = _UNIT_AT_END.fullmatch(title)
-    return (parts[1].lower(), parts[2] or None) if parts else (title.lower(), None)
-
-
-def _time(table: Table) -> int:
-    if not table.titles:
+    given = columns_given(table, columns, ("t", "x", "y", "z"))
+    if not table.titles and len(given) < len("txyz"):
         raise RimrollError(
             f"{table.name}: the first line must name the columns, with units, as in Time (s),"
-            " Gyroscope x (rad/s), …; or give columns by their numbers"
+            " Gyroscope x (rad/s), …; or give columns by their numbers, as in"
+            ' columns={"t": 1, "x": 2, "y": 3, "z": 4} (on the command line'
+            " --columns t=1,x=2,y=3,z=4)"
         )
-    found = [i for i in range(table.width) if _TIME.fullmatch(_split(table, i)[0])]
-    if len(found) != 1:
-        several = "several columns" if found else "no column"
-        raise RimrollError(
-            f"{table.name} has {several} of times; it has {', '.join(table.titles)}: say which,"
-            ' as in columns={"t": "…"} (on the command line --columns t=…)'
-        )
-    return found[0]
+    names = titles_of(table)
+    missing = [axis for axis in "xyz" if axis not in given]
+    found = _axes(table, names, [given[one] for one in given]) if missing else {}
+    axes = tuple(given.get(axis, found.get(axis, -1)) for axis in "xyz")
+    assert len(axes) == 3
+    t = given["t"] if "t" in given else time_column(table, names[axes[0]].name)
+    if len({t, *axes}) < len(axes) + 1:
+        raise RimrollError(f"{table.name}: two of t, x, y and z are the same column")
+    factor, unit = _factor(table, [names[i].unit for i in axes], units)
+    seconds, is_stated = seconds_of(table.name, names[t], time_unit)
+    written = [table.titles[i] if table.titles else f"column {i + 1}" for i in (t, *axes)]
+    in_unit = f" in {time_unit}" if names[t].unit is None and time_unit is not None else ""
+    spelled = f"times {written[0]}{in_unit}; rates {', '.join(written[1:])} in {unit}"
+    return Chosen(t, axes, seconds, is_stated, factor, spelled)
 
 
-def _axes(table: Table, t: int) -> dict[str, int]:
+def _axes(table: Table, titles: list[Title], given: list[int]) -> dict[str, int]:
     """The column of each axis."""
-    names = {i: _split(table, i) for i in range(table.width) if i != t}
-    gyro = [i for i, (name, _) in names.items() if _GYRO.search(name)]
-    plain = [
-        i
-        for i, (name, unit) in names.items()
-        if _is_rate(unit) and not _OTHER.search(name) and i not in gyro
-    ]
-    bare = [i for i, (name, unit) in names.items() if _PLAIN.fullmatch(name) and unit is None]
+    names = {i: one for i, one in enumerate(titles) if i not in given and not one.is_time}
+    rates = [i for i, one in names.items() if _is_rate(one.unit)]
+    known = [i for i, one in names.items() if one.unit is None or i in rates]
+    gyro = [i for i in known if _GYRO.search(names[i].name)]
+    plain = [i for i in rates if not _OTHER.search(names[i].name) and i not in gyro]
+    bare = [i for i, one in names.items() if one.name in ("x", "y", "z") and one.unit is None]
     for some in (gyro, plain, bare):
-        axes = [(axis, i) for i in some if (axis := _axis(names[i][0])) is not None]
+        axes = [(axis, i) for i in some if (axis := _axis(names[i].name)) is not None]
         places = {axis: [i for other, i in axes if other == axis] for axis in "xyz"}
         if all(len(one) == 1 for one in places.values()):
             return {axis: one[0] for axis, one in places.items()}
@@ -125,7 +94,7 @@ def _axes(table: Table, t: int) -> dict[str, int]:
                 f" {', '.join(table.titles)}: say which columns,"
                 ' as in columns={"x": "…", "y": "…", "z": "…"} (on the command line --columns)'
             )
-    if any(_ACCELEROMETER.search(name) or _is_acceleration(u) for name, u in names.values()):
+    if not rates and _holds_accelerations(names.values()):
         raise RimrollError(
             f"{table.name} holds accelerations; the turn needs the gyroscope (in phyphox:"
             " Gyroscope, rotation rate)"
@@ -137,9 +106,24 @@ def _axes(table: Table, t: int) -> dict[str, int]:
     )
 
 
+def _holds_accelerations(titles: Iterable[Title]) -> bool:
+    """Whether two or three axes of an accelerometer are among the columns."""
+    found = [
+        _axis(one.name)
+        for one in titles
+        if _ACCELERATION.search(one.name) or _is_acceleration(one.unit)
+    ]
+    return len(set(found) - {None}) >= 2
+
+
 def _axis(name: str) -> str | None:
-    found = _AXIS_IN_NAME.search(name) or _AXIS.search(name)
-    return found[1] if found else None
+    """The axis in the words of a title, alone or in one of them: gyroscope x, gx, axis y."""
+    words = name.split()
+    found = [word for word in words if word in ("x", "y", "z")]
+    if not found:
+        parts = [_AXIS_IN_WORD.fullmatch(word) for word in words]
+        found = [one[1] or one[2] for one in parts if one]
+    return found[0] if len(set(found)) == 1 else None
 
 
 def _is_rate(unit: str | None) -> bool:
@@ -150,22 +134,12 @@ def _is_acceleration(unit: str | None) -> bool:
     return unit is not None and unit.lower().replace("²", "2").replace("^", "") in ("m/s2", "g")
 
 
-def _seconds(table: Table, title: tuple[str, str | None]) -> float:
-    unit = title[1]
-    if unit is None or unit.lower() in ("sec", "seconds", "secs"):
-        return 1.0
-    return factor_of(unit, "s", f"{table.name}: the unit of {title[0]}", unit)
-
-
-def _factor(
-    table: Table, titles: list[tuple[str, str | None]], units: str | None
-) -> tuple[float, str]:
+def _factor(table: Table, written: list[str | None], units: str | None) -> tuple[float, str]:
     """The factor to rad/s, and the unit."""
-    written = {unit for _, unit in titles}
     if len({_known(table, unit) if unit else None for unit in written}) > 1:
-        several = ", ".join(sorted(map(str, written)))
+        several = ", ".join(sorted(map(str, set(written))))
         raise UnitError(f"{table.name}: the rates have different units: {several}")
-    unit = next(iter(written))
+    unit = written[0]
     if unit is None and units is None:
         raise UnitError(
             f"{table.name}: the columns of rates name no unit: give it, as in"

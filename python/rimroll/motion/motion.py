@@ -294,14 +294,13 @@ class Motion(Moments):
         """Derivatives of the state at a time t (s, inside the motion), or at times (n,).
 
         They are exact derivatives by the start, the body and gravity, for a motion from
-        ``simulate(..., jacobian=True)``, and about as accurate as the motion. On a table that
-        moves there is also ``ground_scale``, the factor s on the acceleration s a(t) of the table,
-        at s = 1; after an uplift they are right to about 3e-5 of the largest one. They include the
-        change of the times at which the contact changes. NaN stands where there is no derivative:
-        by tilt and rates of a start that stands, by the spin rate under ``InPlace``, which is not
-        free, by parameters that would take the motion out of its plane after the whole base has
-        come down flat at once or the rim has landed in that plane, and after a slip that fades
-        without a deceleration.
+        ``simulate(..., jacobian=True)``, and about as accurate as the motion. On a table that moves
+        there is also ``ground_scale``, the factor s on the acceleration s a(t) of the table, at s =
+        1. They include the change of the times at which the contact changes. NaN stands where there
+        is no derivative: by tilt and rates of a start that stands, by the spin rate under
+        ``InPlace``, which is not free, by parameters that would take the motion out of its plane
+        after the whole base has come down flat at once or the rim has landed in that plane, and
+        after a slip that fades without a deceleration.
 
         >>> import rimroll as rr
         >>> start = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.1)

@@ -26,9 +26,10 @@ def footprint_of(moments: Moments, body: Body) -> Array:
 
 
 def largest_tilt(motion: Motion) -> float:
-    """The largest tilt of the dense output, rad."""
-    highest = motion.crossings(lambda at: at.tilt_rate, rising=False)
-    return max(float(motion.tilt.max()), *(event.state.tilt for event in highest), 0.0)
+    """The largest tilt, rad: that at a maximum, an impact or an end, as the core finds it."""
+    highest = [event.state.tilt for event in motion.events if event.kind in ("tilt_max", "land")]
+    toppled = [event.state.tilt for event in motion.events if event.kind == "topple"]
+    return max(float(motion.tilt[0]), *highest, *toppled or [float(motion.tilt[-1])])
 
 
 def first_uplift(motion: Motion) -> float | None:

@@ -80,8 +80,10 @@ def simulate(
         :class:`rimroll.PolygonalBody` pivots from corner to corner, with impacts and flights,
         under ``NoSlip`` or ``Frictionless`` on a table at rest, and gives a
         :class:`rimroll.PolygonMotion`; at spin 0 it leans over a corner, at spin π/n over an edge.
-        Without slip, two corners cannot both be at rest in a start over an edge with a yaw rate or
-        spin rate: such a motion begins with an impact at t = 0 that takes the difference.
+        Without slip, a start over an edge with a spin rate stands on the corner from which the
+        other one rises. With a yaw rate alone the middle of the edge is at rest; its ends cannot
+        go on turning about it, so such a motion begins with an impact at t = 0 that takes the
+        difference.
     duration
         Length of the motion, s. The motion may end earlier; its status says why.
     gravity
@@ -94,7 +96,8 @@ def simulate(
     topple_tilt
         The tilt that counts as toppled, rad. By default π/2 for a body with height, whose side
         then meets the table; none for a disk, which may stand on its edge and fall to either face.
-        With corners π/2, and at most that.
+        With corners π/2, and at most that; at exactly π/2 a flat polygon (height 0) rolls on its
+        side, and does not topple until it leans further.
     max_steps
         Largest number of steps, after which the status is ``failed``; a step takes 0.3 kB. A
         rocking takes tens of steps. It takes hundreds if slip oscillates as the contact point runs
@@ -160,7 +163,10 @@ def simulate(
         from rimroll.polygon.motion import follow as follow_corners
 
         if ground is not None or flat not in (None, "stop") or jacobian:
-            raise RimrollError("a body with corners takes no ground, flat or jacobian")
+            raise RimrollError(
+                "a body with corners takes no ground, flat or jacobian: its table is level and at"
+                " rest. rimroll.Body, with a round rim, takes them"
+            )
         callback("progress", progress)
         bounce = number("restitution", restitution)
         return follow_corners(body, single(start), law, options, bounce, progress)

@@ -174,6 +174,7 @@ class PolygonMotion(PolygonMoments):
         self.body = body
         self.start = start
         self.law = law
+        self._options = options
         self.duration = options.duration
         self.gravity = options.gravity
         self.rtol = options.rtol
@@ -181,6 +182,10 @@ class PolygonMotion(PolygonMoments):
         self.max_steps = options.max_steps
         self.restitution = restitution
         self.status = core.status
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickling computes the motion again, with the same bits."""
+        return follow, (self.body, self.start, self.law, self._options, self.restitution)
 
     def __repr__(self) -> str:
         return f"<PolygonMotion, {self.body.corners} corners, {self.message}>"

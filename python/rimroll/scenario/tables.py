@@ -183,6 +183,9 @@ class _Ground(Table):
     units: str | None = None
     component: str | None = None
     pad: bool = False
+    columns: dict[str, str | int] | None = None
+    step: Annotated[float | None, in_unit("s")] = None
+    time_unit: str | None = None
     pulse: str | None = None
     amplitude: Annotated[Any, in_three("m/s^2")] = None
     period: Annotated[Any, in_three("s")] = None

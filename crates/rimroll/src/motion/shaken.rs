@@ -222,7 +222,7 @@ fn energy_of_tilting(contacts: &Contacts, at: &Instant) -> f64 {
     energy.kinetic + energy.potential - glide
 }
 
-/// The largest tilt (rad) and its time (s), which is that of a maximum or of an end of the motion.
+/// The largest tilt (rad) and its time (s), which is that of a maximum, of an impact or of an end of the motion.
 pub(super) fn largest_tilt(
     start: &Coordinates<f64>,
     events: &[Event],
@@ -230,7 +230,7 @@ pub(super) fn largest_tilt(
 ) -> (f64, f64) {
     let maxima = events
         .iter()
-        .filter(|event| event.kind == EventKind::TiltMax);
+        .filter(|event| matches!(event.kind, EventKind::TiltMax | EventKind::Land));
     let candidates = maxima.map(|event| (event.at.tilt(), event.at.t));
     candidates
         .chain([(end.tilt(), end.t)])

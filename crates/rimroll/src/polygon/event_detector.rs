@@ -3,6 +3,7 @@
 use super::pose::{COORDINATES, Pose};
 use super::support::{Support, SupportedBody};
 use crate::solve::{Dense, bracketed_root};
+use core::f64::consts::FRAC_PI_2;
 
 /// Something that happens within a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,8 +104,13 @@ impl EventDetector<'_> {
     }
 
     fn topple(&self, poses: &[Pose]) -> Option<(f64, StepEvent)> {
-        let upright = |at: &Pose| at.up[2] - libm::cos(self.topple_tilt);
-        let i = (0..SAMPLES).find(|&i| upright(&poses[i + 1]) <= 0.0)?;
+        // The double next to π/2 stands for π/2. A flat body that rolls on its side does not topple.
+        let cos = match self.topple_tilt == FRAC_PI_2 {
+            true => 0.0,
+            false => libm::cos(self.topple_tilt),
+        };
+        let upright = |at: &Pose| at.up[2] - cos;
+        let i = (0..SAMPLES).find(|&i| upright(&poses[i + 1]) < 0.0)?;
         Some((self.root(i, upright), StepEvent::Topple))
     }
 

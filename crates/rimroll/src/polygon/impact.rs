@@ -61,7 +61,10 @@ pub(super) fn plastic(
     let allowed = -1e-9 * approach - rounding;
     let stays_allowed = |after: &AfterImpact| {
         let rate = |&k: &i64| after.supported.gap(&after.pose, k).1;
-        touching.iter().map(rate).all(|rate| rate >= allowed)
+        // The corners that are down move within rounding.
+        let down = after.supported.corners();
+        let others = touching.iter().filter(|k| !down.contains(k));
+        others.map(rate).all(|rate| rate >= allowed)
     };
     let candidates = supports(&before.body, touching);
     let mut best: Option<(f64, AfterImpact)> = None;

@@ -195,6 +195,12 @@ impl Instant {
         let z = supported.height(pose);
         let middle = pose.on_table(supported.middle());
         let reaction = supported.reaction(pose);
+        let normal = reaction.normal[0] + reaction.normal[1];
+        // The table does not pull: where it would have to, the body leaves it at this moment.
+        let (normal, friction) = match normal > 0.0 {
+            true => (normal, reaction.friction),
+            false => (0.0, 0.0),
+        };
         let corner = supported.support.corner();
         let kinetic = supported.kinetic(pose);
         let potential = supported.body.mass() * supported.gravity * z;
@@ -212,8 +218,8 @@ impl Instant {
             x + middle[0],
             y + middle[1],
             corner.rem_euclid(i64::from(supported.body.corners())) as f64,
-            reaction.normal[0] + reaction.normal[1],
-            reaction.friction,
+            normal,
+            friction,
             kinetic,
             potential,
             kinetic + potential,

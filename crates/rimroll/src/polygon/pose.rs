@@ -2,6 +2,7 @@
 
 use super::vector::{Vector, cross, length, times};
 use crate::state::State;
+use core::f64::consts::FRAC_PI_2;
 
 /// The number of integrated coordinates on a support.
 pub(super) const SUPPORTED: usize = 7;
@@ -64,7 +65,11 @@ impl Pose {
     }
 
     pub fn from_state(state: &State) -> Pose {
-        let (sin, cos) = libm::sincos(state.tilt);
+        // The double next to π/2 stands for π/2, so that a flat body rolls on its side in a plane.
+        let (sin, cos) = match state.tilt == FRAC_PI_2 {
+            true => (1.0, 0.0),
+            false => libm::sincos(state.tilt),
+        };
         let (sin_spin, cos_spin) = libm::sincos(state.spin);
         let up = [sin * cos_spin, -sin * sin_spin, cos];
         let across = [sin_spin, cos_spin, 0.0];

@@ -22,6 +22,9 @@ use core::ops::ControlFlow;
 /// A corner that would rise by less than this many times the height that counts as touching, and fall back, stays.
 const HOP: f64 = 10.0;
 
+/// A start that loses less than this fraction of the kinetic energy is no impact.
+const LOSSLESS: f64 = 1e-12;
+
 /// A body whose energy over rest is below this fraction of mgR stands.
 const SPENT: f64 = 1e-10;
 
@@ -101,8 +104,7 @@ pub fn simulate(
 ) -> Result<PolygonMotion, InvalidInput> {
     options.check()?;
     start.check()?;
-    let below = |tilt| tilt < options.topple_tilt;
-    bounded("tilt", start.tilt, below, "below topple_tilt", "rad")?;
+    check_tilt(body, start.tilt, options.topple_tilt)?;
     let mut run = Run::new(body, start, law, options);
     let status = match run.begin() {
         Some(status) => status,
@@ -118,6 +120,19 @@ pub fn simulate(
         status,
         work: run.work,
     })
+}
+
+/// A body with corners stands on its base. At a tilt of 90° only one of height 0 does, which then rolls on its side; any
+/// other one lies along its length.
+fn check_tilt(body: &PolygonalBody, tilt: f64, topple_tilt: f64) -> Result<(), InvalidInput> {
+    let round = body.round();
+    if topple_tilt < FRAC_PI_2 {
+        let bound = "below topple_tilt, which can be at most pi/2";
+        return bounded("tilt", tilt, |tilt| tilt < topple_tilt, bound, "rad").map(|_| ());
+    }
+    let stands = |tilt| tilt < FRAC_PI_2 || tilt == FRAC_PI_2 && round.height() == 0.0;
+    let bound = "below pi/2, where a body with corners lies on its side; only one of height 0 can start at pi/2";
+    bounded("tilt", tilt, stands, bound, "rad").map(|_| ())
 }
 
 /// A simulation in progress.
@@ -163,38 +178,60 @@ impl<'a> Run<'a> {
         let Instant {
             supported, pose, ..
         } = self.now;
-        let lowest = supported.support.corner();
-        let touching = touching(&supported, &pose, lowest);
-        if touching.len() == 1 {
-            return None;
-        }
+        let touching = touching(&supported, &pose, supported.support.corner());
         let radius = supported.body.round().radius();
         let still = 1e-12 * radius * (length(pose.rate) + supported.falling_rate);
-        let sinking = touching
-            .iter()
-            .filter(|&&k| supported.gap(&pose, k).1 < -still);
-        let rising = touching[1..]
-            .iter()
-            .all(|&k| supported.gap(&pose, k).1 > still);
-        let next = match sinking.copied().next() {
-            Some(corner) if touching.len() == 2 => Some(Support::Corner(corner)),
-            _ if rising => None,
+        let rate = |&k: &i64| supported.gap(&pose, k).1;
+        if touching[1..].iter().all(|k| rate(k) > still) {
+            return None;
+        }
+        let sinking = touching.iter().copied().find(|k| rate(k) < -still);
+        match (touching.len(), sinking) {
+            (2, Some(corner)) => {
+                self.carry(self.on(Support::Corner(corner)), pose);
+                self.first = self.now;
+                None
+            }
+            (2, None) => self.begin_on_edge(&touching),
             _ => {
                 let status = self.touch(&touching, true);
-                // Without a loss nothing has struck the table: the body lay on the edge.
-                self.events
-                    .retain(|event| event.loss > 1e-12 * supported.kinetic(&pose));
-                if self.events.is_empty() {
-                    self.first = self.now;
-                }
-                return status;
+                self.forget_lossless_start();
+                status
             }
+        }
+    }
+
+    /// A start over an edge of which neither corner rises. The middle of the edge is at rest, as the corner is in other starts. If
+    /// the body turns about the vertical, the ends of the edge move, and friction stops them in an impact. Which corner that leaves
+    /// depends on the sense of the turning, not on the rounding of the spin.
+    fn begin_on_edge(&mut self, touching: &[i64]) -> Option<Status> {
+        let pose = self.now.pose;
+        let left = touching[0].min(touching[1]);
+        self.carry(self.on(Support::Edge(left)), pose);
+        self.first = self.now;
+        let Instant {
+            supported, pose, ..
+        } = self.now;
+        let struck = |allowed| impact::plastic(&supported, &pose, touching, allowed);
+        let stays = |after: &AfterImpact| {
+            let kinetic = supported.kinetic(&pose);
+            kinetic - after.supported.kinetic(&after.pose) <= LOSSLESS * kinetic
         };
-        if let Some(support) = next {
-            self.carry(self.on(support), pose);
+        let after = struck(Allowed::Together)
+            .filter(stays)
+            .or_else(|| struck(Allowed::Any));
+        let status = self.strike(after);
+        self.forget_lossless_start();
+        status
+    }
+
+    /// Without a loss nothing has struck the table: the body lay on the edge.
+    fn forget_lossless_start(&mut self) {
+        let kinetic = self.first.supported.kinetic(&self.first.pose);
+        self.events.retain(|event| event.loss > LOSSLESS * kinetic);
+        if self.events.is_empty() {
             self.first = self.now;
         }
-        None
     }
 
     /// The body on another support.
@@ -279,6 +316,8 @@ impl<'a> Run<'a> {
                 supported = supported.with_lowest(&self.now.pose);
                 self.now.supported = supported;
             }
+            // A support that cannot carry the body for any time leaves no node once another follows.
+            self.segments.pop_if(|last| last.until == 0.0);
             self.segments.push(segment);
             match found.last() {
                 Some(&(_, event)) if event.ends_phase() => return self.after(event),
@@ -368,13 +407,18 @@ impl<'a> Run<'a> {
         } else {
             free
         };
+        self.strike(after)
+    }
+
+    /// An impact with this outcome.
+    fn strike(&mut self, after: Option<AfterImpact>) -> Option<Status> {
         let Some(after) = after else {
             return Some(self.lift_off());
         };
-        let before = supported.kinetic(&pose);
+        let before = self.now.supported.kinetic(&self.now.pose.normalised());
         self.carry(after.supported, after.pose);
         if self.is_spent() {
-            let rate = match supported.law {
+            let rate = match self.now.supported.law {
                 IdealLaw::NoSlip => [0.0; 3],
                 IdealLaw::Frictionless => [0.0, 0.0, self.now.pose.rate[2]],
             };

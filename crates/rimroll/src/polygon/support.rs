@@ -235,7 +235,8 @@ impl SupportedBody {
             return at.in_body([x, y, at.rise]);
         }
         match self.law {
-            IdealLaw::NoSlip => cross(self.first, at.rate),
+            // Both ends of an edge are at rest. At a start with a yaw rate its middle is.
+            IdealLaw::NoSlip => cross(self.middle(), at.rate),
             IdealLaw::Frictionless => times(self.rise(at), at.up),
         }
     }

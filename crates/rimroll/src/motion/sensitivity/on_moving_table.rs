@@ -2,7 +2,7 @@
 
 use super::saltation::{Saltation, refused, tilt_from};
 use super::shaken_slope::{Number, SHAKEN_PARAMETERS, ShakenSlope, all_or_none, without};
-use super::variation::{Variation, ends_at_corner, rates};
+use super::variation::{Variation, rates};
 use super::{
     CoordinatesAndRates, PARAMETERS, STEPS_BETWEEN_REPORTS, parameter, start, state_slopes,
     turn_slope, values, varied_parameters, with_values,
@@ -85,18 +85,18 @@ impl ShakenSensitivity {
                 return Ok(ControlFlow::Break(()));
             }
             if let Some(before) = before {
-                self.end = Saltation {
+                let saltation = Saltation {
                     motion,
                     variation: &self.variation,
                     before,
                     after: record,
-                }
-                .crossed(&self.end)?;
+                };
                 let stood = matches!(before.phase, Phase::Standing | Phase::SlidingFlat);
                 let is_lifted = stood && !record.phase.is_level();
                 if is_lifted && self.uplift_time.is_none() {
-                    self.uplift_time = Some(self.end.t.slope.0);
+                    self.uplift_time = Some(saltation.at_departure(&self.end).t.slope.0);
                 }
+                self.end = saltation.crossed(&self.end)?;
             }
             self.push(motion, record);
             before = Some(record);
@@ -121,11 +121,9 @@ impl ShakenSensitivity {
         self.starts.push(start);
         let end = self.variation.followed(contacts, record, &start, 1.0);
         let end = with_values(&end, &record.end);
-        self.end = if ends_at_corner(contacts, record) {
-            self.with_rates(motion, record, end).at_fixed_time()
-        } else {
-            end
-        };
+        // Where a body has just begun to rock, the derivatives at a fixed τ are those at a fixed time plus 1e8 times the
+        // rates and more, so that errors of steps would be amplified as much.
+        self.end = self.with_rates(motion, record, end).at_fixed_time();
     }
 
     fn with_rates(
@@ -194,13 +192,13 @@ impl ShakenSensitivity {
     pub fn max_tilt(&self, motion: &Motion) -> ShakenSlope {
         let (start, end) = (motion.trajectory.start(), motion.trajectory.end());
         let (_, t) = largest_tilt(&start, &motion.events, &end);
-        // At a maximum, the derivative at a fixed time is that at the time of the maximum.
+        // At a maximum or an impact, whose time varies.
         let [tilt, ..] = if t == start.t {
             state_slopes(&self.start)
         } else if t == end.t {
             state_slopes(&self.end)
         } else {
-            self.at(motion, t)
+            state_slopes(&self.locate(motion, t).u)
         };
         tilt
     }

@@ -11,9 +11,11 @@
 //! * A slip that stops leaves two derivatives fewer: afterwards those of the slip are zero.
 //! * A rim leaves the table where the normal force is zero, and it lands where the gap is. The map of the landing is the
 //!   impact.
-//! * A body that stands is lifted at a time t_u that depends on the parameters, unless the acceleration of the table
-//!   jumps then. The rocking begins at t_u from a tilt and a tilt rate of zero, about the point of the rim opposite to the
-//!   acceleration at t_u.
+//! * A body that stands or slides flat is lifted at a time t_u that depends on the parameters, unless the acceleration of
+//!   the table jumps then. The tilt is of second or third order in t − t_u, so the derivatives of tilt and tilt rate at a fixed
+//!   time begin at zero. The yaw is the one regular solution of an equation that is singular at t_u: it follows the direction
+//!   of the force at the time t, except for terms of second order. So its derivative at a fixed time is that of this
+//!   direction; the one at t_u, less ψ̇ ∂t_u, is not, because the computed motion begins with ψ̇ = 0.
 //! * Where the base comes down flat at once, a parameter that takes the motion out of its plane has no
 //!   derivative: beside the plane, the contact point runs round the rim instead.
 
@@ -28,7 +30,7 @@ use crate::motion::Motion;
 use crate::motion::contacts::tilting_energy_over_standing;
 use crate::motion::flat_landing::{FlatLanding, plastic_factor, rocked_over};
 use crate::motion::instant::Phase;
-use crate::motion::level_base::{FLAT_TILT, UPLIFT_TILT, levelled};
+use crate::motion::level_base::{FLAT_TILT, LevelMotion, UPLIFT_TILT, levelled};
 use crate::motion::step_record::StepRecord;
 use crate::real::{Real, Scalar};
 use crate::state::{Coordinates, TIME};
@@ -199,33 +201,63 @@ impl Saltation<'_> {
 
     /// A body that stood departs.
     fn departed(&self, u: &Coordinates<Number>) -> Coordinates<Number> {
+        if self.after.phase.is_level() {
+            return self.at_departure(u);
+        }
+        let from = (Phase::Standing, self.before.end[TIME]);
+        self.with_level(self.variation, from, u.yaw, |motion| {
+            let (force, _) = motion.equations.field(motion.acceleration(u.t));
+            motion.equations.uplifted(u, force)
+        })
+    }
+
+    /// The coordinates at the time at which a body that stands or slides flat departs.
+    pub(super) fn at_departure(&self, u: &Coordinates<Number>) -> Coordinates<Number> {
         // The part of gravity by which a continuous margin can differ from zero by rounding.
         const ROUNDING: f64 = 1e-9;
-        let contacts = &self.motion.contacts;
-        let holding = contacts.holding_friction();
+        if self.before.phase != Phase::Standing {
+            return self.at_event(u, |variation, u| self.flat_friction(variation, u).1);
+        }
+        let holding = self.motion.contacts.holding_friction();
         let from = (Phase::Standing, self.before.end[TIME]);
         let margin = |variation: &Variation, u: &Coordinates<Number>| {
-            variation.with_level(contacts, from, u.yaw, |motion| {
+            self.with_level(variation, from, u.yaw, |motion| {
                 let acceleration = motion.acceleration(u.t);
                 motion.equations.standing_margin(holding, acceleration)
             })
         };
         // Where the acceleration jumps, or where nothing holds the body, the time is fixed.
         let jumps = margin(self.variation, u).value < -ROUNDING * self.variation.k.g.value;
-        let u = if jumps || holding == 0.0 {
+        if jumps || holding == 0.0 {
             *u
         } else {
             self.at_event(u, margin)
-        };
-        match self.after.phase {
-            Phase::Rolling | Phase::Sliding => {
-                self.variation.with_level(contacts, from, u.yaw, |motion| {
-                    let (force, _) = motion.equations.field(motion.acceleration(u.t));
-                    motion.equations.uplifted(&u, force)
-                })
-            }
-            _ => u,
         }
+    }
+
+    /// The friction on a base that slides flat, N, and the margin of its flatness.
+    fn flat_friction(
+        &self,
+        variation: &Variation,
+        u: &Coordinates<Number>,
+    ) -> ([Number; 2], Number) {
+        let from = (self.before.phase, self.before.start[TIME]);
+        self.with_level(variation, from, u.yaw, |motion| {
+            let gravity = motion.equations.field(motion.acceleration(u.t)).1;
+            let friction = motion.equations.friction([u.slip_x, u.slip_y], gravity);
+            let margin = motion.equations.flatness_margin(friction, gravity);
+            (friction, margin)
+        })
+    }
+
+    fn with_level<R>(
+        &self,
+        variation: &Variation,
+        from: (Phase, f64),
+        yaw: Number,
+        computation: impl FnOnce(&LevelMotion<'_, Number>) -> R,
+    ) -> R {
+        variation.with_level(&self.motion.contacts, from, yaw, computation)
     }
 
     /// A level base that slid or flew changes its contact.
@@ -233,7 +265,7 @@ impl Saltation<'_> {
         let contacts = &self.motion.contacts;
         let from = (self.before.phase, self.before.start[TIME]);
         let gravity = |variation: &Variation, u: &Coordinates<Number>| {
-            variation.with_level(contacts, from, u.yaw, |motion| {
+            self.with_level(variation, from, u.yaw, |motion| {
                 motion.equations.field(motion.acceleration(u.t)).1
             })
         };
@@ -259,21 +291,9 @@ impl Saltation<'_> {
             }
             (_, Phase::FlyingLevel) => self.at_event(u, gravity),
             _ => {
-                let friction = |variation: &Variation, u: &Coordinates<Number>| {
-                    variation.with_level(contacts, from, u.yaw, |motion| {
-                        let gravity = motion.equations.field(motion.acceleration(u.t)).1;
-                        let slip = [u.slip_x, u.slip_y];
-                        let friction = motion.equations.friction(slip, gravity);
-                        (
-                            friction,
-                            motion.equations.flatness_margin(friction, gravity),
-                        )
-                    })
-                };
-                let u = self.at_event(u, |variation, u| friction(variation, u).1);
-                let (force, _) = friction(self.variation, &u);
-                self.variation.with_level(contacts, from, u.yaw, |motion| {
-                    motion.equations.uplifted(&u, force)
+                let (force, _) = self.flat_friction(self.variation, u);
+                self.with_level(self.variation, from, u.yaw, |motion| {
+                    motion.equations.uplifted(u, force)
                 })
             }
         }
