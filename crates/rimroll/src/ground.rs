@@ -31,6 +31,9 @@ use std::sync::Arc;
 pub struct Ground {
     pulses: Vec<Pulse>,
     record: Option<Record>,
+    /// The scale of the horizontal acceleration of a ground that moves along a line except for rounding, m/s²; 0 for
+    /// any other.
+    straight_peak: f64,
 }
 
 /// The part of a [`Ground`] between two corners, continued smoothly beyond them.
@@ -52,10 +55,7 @@ impl Ground {
     #[cfg(feature = "ground")]
     pub fn pulses(pulses: Vec<Pulse>) -> Result<Ground, InvalidInput> {
         pulses.iter().try_for_each(Pulse::check)?;
-        Ok(Ground {
-            pulses,
-            record: None,
-        })
+        Ok(Ground::of(pulses, None))
     }
 
     /// Samples of the acceleration (m/s²) along x, y and z at equal intervals of `step` seconds, the first at
@@ -66,10 +66,19 @@ impl Ground {
     /// 1e9 m/s².
     #[cfg(feature = "ground")]
     pub fn sampled(step: f64, acceleration: Vec<[f64; 3]>) -> Result<Ground, InvalidInput> {
-        Ok(Ground {
-            pulses: Vec::new(),
-            record: Some(Record::new(step, acceleration)?),
-        })
+        let record = Record::new(step, acceleration)?;
+        Ok(Ground::of(Vec::new(), Some(record)))
+    }
+
+    fn of(pulses: Vec<Pulse>, record: Option<Record>) -> Ground {
+        let samples = record.as_ref().map_or(&[][..], Record::samples);
+        let amplitudes = pulses.iter().map(|pulse| pulse.amplitude);
+        let straight_peak = straight_peak(amplitudes.chain(samples.iter().copied()));
+        Ground {
+            pulses,
+            record,
+            straight_peak,
+        }
     }
 
     /// The time from which on the acceleration is zero, s.
@@ -116,7 +125,7 @@ impl Ground {
             (mine, theirs) => mine.as_ref().or(theirs.as_ref()).cloned(),
         };
         let pulses = [&self.pulses[..], &other.pulses].concat();
-        Ok(Ground { pulses, record })
+        Ok(Ground::of(pulses, record))
     }
 
     /// The pulses, and the record if there is one.
@@ -135,10 +144,14 @@ impl Ground {
             amplitude: map(pulse.amplitude),
             ..*pulse
         };
-        Ground {
-            pulses: self.pulses.iter().map(pulse).collect(),
-            record: self.record.as_ref().map(|record| record.mapped(map)),
-        }
+        let record = self.record.as_ref().map(|record| record.mapped(map));
+        Ground::of(self.pulses.iter().map(pulse).collect(), record)
+    }
+
+    /// The scale of the horizontal acceleration of a ground that moves along a line except for rounding, m/s²; 0 for
+    /// any other.
+    pub(crate) fn straight_peak(&self) -> f64 {
+        self.straight_peak
     }
 
     /// The stretch that contains a time (s) or begins there.
@@ -178,6 +191,25 @@ impl Stretch {
     pub(crate) fn acceleration<T: Real>(&self, t: T) -> [T; 3] {
         self.ground.sum(self.segment.as_ref(), self.begin, t)
     }
+
+    /// [`Ground::straight_peak`] of the whole ground.
+    pub(crate) fn straight_peak(&self) -> f64 {
+        self.ground.straight_peak
+    }
+}
+
+/// The length of the longest of these horizontal vectors if all are parallel except for rounding; otherwise 0.
+fn straight_peak(vectors: impl Iterator<Item = [f64; 3]> + Clone) -> f64 {
+    const ROUNDING: f64 = 1e-14;
+    let size = |[x, y, _]: [f64; 3]| libm::hypot(x, y);
+    let Some(longest) = vectors.clone().max_by(|a, b| size(*a).total_cmp(&size(*b))) else {
+        return 0.0;
+    };
+    let peak = size(longest);
+    let across = |[x, y, _]: [f64; 3]| longest[0] * y - longest[1] * x;
+    let mut deviations = vectors.map(|vector| across(vector).abs());
+    let is_straight = deviations.all(|deviation| deviation <= ROUNDING * peak * peak);
+    if is_straight { peak } else { 0.0 }
 }
 
 #[cfg(test)]

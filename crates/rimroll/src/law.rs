@@ -41,8 +41,8 @@ use frictionless::NoFriction;
 pub use ideal_law::IdealLaw;
 pub use in_place::InPlace;
 #[cfg(feature = "ground")]
-pub(crate) use moving_table::Acceleration;
-pub(crate) use moving_table::{InertialEffect, Movable, OnTable, Table};
+pub(crate) use moving_table::{Acceleration, across_plane};
+pub(crate) use moving_table::{InertialEffect, Movable, OnTable, Table, rounding_across};
 pub use no_slip::NoSlip;
 pub use resistance::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
 pub(crate) use rolling_dynamics::RollingDynamics;

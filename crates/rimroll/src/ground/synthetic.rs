@@ -52,10 +52,10 @@ impl Ground {
                 }
             }
         }
-        Ok(Ground {
-            pulses: Vec::new(),
-            record: Some(Record::new(made_from.step, samples)?),
-        })
+        Ok(Ground::of(
+            Vec::new(),
+            Some(Record::new(made_from.step, samples)?),
+        ))
     }
 }
 

@@ -15,7 +15,8 @@
 mod equations;
 mod steps;
 
-pub(super) use equations::{FLAT_TILT, LevelEquations, LevelMotion, PLACES, UPLIFT_TILT};
+use equations::LevelEquations;
+pub(super) use equations::{FLAT_TILT, LevelMotion, PLACES, UPLIFT_TILT};
 
 use super::contacts::Contacts;
 use super::instant::{Instant, Phase};
@@ -53,9 +54,12 @@ impl<'a> LevelBase<'a> {
     pub(super) fn new(contacts: &'a Contacts, yaw: f64) -> Self {
         let k = *contacts.parameters();
         let sliding = contacts.dynamics(Phase::Sliding);
+        let peak = contacts
+            .ground()
+            .map_or(0.0, |ground| ground.straight_peak());
         LevelBase {
             contacts,
-            equations: LevelEquations::new(k, yaw, sliding, contacts.is_dry()),
+            equations: LevelEquations::new(k, yaw, sliding, contacts.is_dry(), peak),
         }
     }
 
@@ -177,7 +181,7 @@ impl<'a> LevelBase<'a> {
     }
 
     /// The equations of a base that slides or flies, along a stretch of the table's motion.
-    pub(super) fn motion(&self, phase: Phase, stretch: Option<Stretch>) -> LevelMotion<'_> {
+    pub(super) fn motion(&self, phase: Phase, stretch: Option<Stretch>) -> LevelMotion<'a> {
         LevelMotion {
             equations: self.equations,
             stretch: stretch.map(|stretch| (stretch, 1.0)),

@@ -17,7 +17,7 @@ use super::options::Options;
 use super::phase_system::rate_floor;
 use super::topple_tilt::ToppleTilt;
 use crate::error_scale::ErrorScale;
-use crate::law::{Acceleration, Contact, Dynamics, NoSlip};
+use crate::law::{Acceleration, Contact, Dynamics, NoSlip, across_plane};
 use crate::real::{
     Real, Task, call_vectorized, fieldwise, sin_cos_of_small, sin_cos_without_branches,
 };
@@ -58,10 +58,12 @@ pub(super) struct Rolling<T> {
     tolerance: T,
     /// The sign of a tilt rate is significant if the rate exceeds this fraction of its error scale.
     significant: T,
+    /// See [`Ground::straight_peak`](crate::ground::Ground::straight_peak), m/s².
+    peak: T,
 }
 
 fieldwise!(Rolling {
-    rate_floor, static_friction_squared, tolerance, significant; dynamics, error_scale, topple
+    rate_floor, static_friction_squared, tolerance, significant, peak; dynamics, error_scale, topple
 });
 
 /// The beginning of a step.
@@ -118,6 +120,9 @@ impl Rolling<f64> {
             static_friction_squared: static_friction * static_friction,
             tolerance: STRICTER * options.step_tolerance(),
             significant: options.significant_tilt_rate(),
+            peak: contacts
+                .ground()
+                .map_or(0.0, |ground| ground.straight_peak()),
         }
     }
 
@@ -269,7 +274,9 @@ impl<T: Real> Rolling<T> {
     #[inline(always)]
     fn rates(&self, u: &Reduced<T>, frame: &Frame<T>, fraction: f64) -> (Reduced<T>, T) {
         let at = expand(u);
-        let (acceleration, [sin_yaw, cos_yaw]) = frame.at(u[5], fraction);
+        let (mut acceleration, [sin_yaw, cos_yaw]) = frame.at(u[5], fraction);
+        let across = &mut acceleration.horizontal[1];
+        *across = across_plane(*across, T::from(0.0), self.peak, &at);
         let rates = acceleration.rates(&self.dynamics, &at);
         let contact = acceleration.contact(&self.dynamics, &at);
         let [along, across] = self.dynamics.center_velocity(&at);

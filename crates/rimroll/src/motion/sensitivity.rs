@@ -280,7 +280,10 @@ impl<const K: usize> CoordinatesAndRates<K> {
     }
 
     fn at_fixed_time(&self) -> Coordinates<Dual<Slopes<K>>> {
-        self.fixed(&(self.u.t, self.rates.t))
+        Coordinates {
+            t: self.u.t.value.into(),
+            ..self.fixed(&(self.u.t, self.rates.t))
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 //! See [`level_base`](super).
 
 use crate::ground::Stretch;
-use crate::law::{Dynamics, Parameters};
+use crate::law::{Dynamics, Parameters, rounding_across};
 use crate::motion::instant::Phase;
 use crate::motion::phase_dynamics::PhaseDynamics;
 use crate::real::Scalar;
@@ -37,15 +37,19 @@ pub(in crate::motion) struct LevelEquations<'a, T: Scalar> {
     /// The equations of a rim that slides, for the friction.
     sliding: &'a dyn Dynamics<T>,
     is_dry: bool,
+    /// A component of the table's acceleration across the heading that is a rounding error, m/s².
+    rounding: f64,
 }
 
 impl<'a, T: Scalar> LevelEquations<'a, T> {
-    /// The equations at a yaw (rad). `sliding` has the friction, and `is_dry` says whether it is dry.
+    /// The equations at a yaw (rad). `sliding` has the friction, and `is_dry` says whether it is dry. `peak` is that of
+    /// a table that moves along a line, m/s², and 0 for any other.
     pub(in crate::motion) fn new(
         k: Parameters<T>,
         yaw: T,
         sliding: &'a dyn Dynamics<T>,
         is_dry: bool,
+        peak: f64,
     ) -> Self {
         let (sin, cos) = yaw.sin_cos();
         LevelEquations {
@@ -53,13 +57,18 @@ impl<'a, T: Scalar> LevelEquations<'a, T> {
             heading: [cos, sin],
             sliding,
             is_dry,
+            rounding: rounding_across(peak, yaw.value()),
         }
     }
 
     /// The horizontal acceleration of the table along e_x1 and e_y1, and G, m/s².
     pub(in crate::motion) fn field(&self, [x, y, z]: [T; 3]) -> ([T; 2], T) {
         let [cos, sin] = self.heading;
-        ([x * cos + y * sin, y * cos - x * sin], self.k.g + z)
+        let mut across = y * cos - x * sin;
+        if across.value().abs() < self.rounding {
+            across = across - T::from(across.value());
+        }
+        ([x * cos + y * sin, across], self.k.g + z)
     }
 
     /// The speed scale √(gR), m/s.
@@ -113,7 +122,9 @@ impl<'a, T: Scalar> LevelEquations<'a, T> {
             [x * cos + y * sin, y * cos - x * sin]
         };
         let [x1, y1] = turned([u.x1, u.y1]);
-        let [slip_x, slip_y] = turned([u.slip_x, u.slip_y]);
+        // Friction is opposite to the slip.
+        let [slip_x, _] = turned([u.slip_x, u.slip_y]);
+        let slip_y = T::from(0.0);
         Coordinates {
             yaw: u.yaw + change,
             spin: u.spin - change,
@@ -147,8 +158,9 @@ impl<'a, T: Scalar> LevelMotion<'a, T> {
     ) -> Self {
         let sliding = phases.in_phase(Phase::Sliding);
         let is_dry = phases.sliding.is_dry();
+        let peak = stretch.as_ref().map_or(0.0, Stretch::straight_peak);
         LevelMotion {
-            equations: LevelEquations::new(*sliding.parameters(), yaw, sliding, is_dry),
+            equations: LevelEquations::new(*sliding.parameters(), yaw, sliding, is_dry, peak),
             stretch: stretch.map(|stretch| (stretch, factor)),
             slides: phase == Phase::SlidingFlat,
         }

@@ -6,7 +6,7 @@ use super::{CoordinatesAndRates, values};
 use crate::law::{DynamicsExt, Parameters};
 use crate::motion::contacts::Contacts;
 use crate::motion::instant::Phase;
-use crate::motion::level_base::{LevelEquations, LevelMotion, PLACES};
+use crate::motion::level_base::{LevelBase, LevelMotion, PLACES};
 use crate::motion::phase_dynamics::PhaseDynamics;
 use crate::motion::phase_system::IndependentVariable;
 use crate::motion::step_record::{Polynomial, StepRecord};
@@ -226,12 +226,7 @@ fn level_motion<'a>(
 ) -> LevelMotion<'a> {
     let t = record.start[TIME];
     let stretch = contacts.ground().map(|ground| ground.stretch(t));
-    let (k, sliding) = (*contacts.parameters(), contacts.dynamics(Phase::Sliding));
-    LevelMotion {
-        equations: LevelEquations::new(k, u.yaw, sliding, contacts.is_dry()),
-        stretch: stretch.map(|stretch| (stretch, 1.0)),
-        slides: record.phase == Phase::SlidingFlat,
-    }
+    LevelBase::new(contacts, u.yaw).motion(record.phase, stretch)
 }
 
 /// Whether a step ends, or has no length, at a corner of the table's acceleration.
