@@ -204,4 +204,4 @@ def test_motions_in_a_plane_stay_in_it_whatever_the_heading(law):
             )
             assert (shaken.max_tilt == shaken.max_tilt[0]).all()
             assert shaken.max_tilt[0] == pytest.approx(motion.max_tilt, rel=1e-12)
-            assert np.abs(shaken.residual_yaw).max() < 1e-12
+            assert np.abs(shaken.end_yaw).max() < 1e-12

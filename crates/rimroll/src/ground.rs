@@ -31,8 +31,8 @@ use std::sync::Arc;
 pub struct Ground {
     pulses: Vec<Pulse>,
     record: Option<Record>,
-    /// The scale of the horizontal acceleration of a ground that moves along a line except for rounding, m/s²; 0 for
-    /// any other.
+    /// The largest horizontal amplitude of a ground that moves along a line except for rounding, m/s²; 0 for any
+    /// other.
     straight_peak: f64,
 }
 
@@ -148,8 +148,8 @@ impl Ground {
         Ground::of(self.pulses.iter().map(pulse).collect(), record)
     }
 
-    /// The scale of the horizontal acceleration of a ground that moves along a line except for rounding, m/s²; 0 for
-    /// any other.
+    /// The largest horizontal amplitude of a ground that moves along a line except for rounding, m/s²; 0 for any
+    /// other.
     pub(crate) fn straight_peak(&self) -> f64 {
         self.straight_peak
     }
@@ -201,11 +201,12 @@ impl Stretch {
 /// The length of the longest of these horizontal vectors if all are parallel except for rounding; otherwise 0.
 fn straight_peak(vectors: impl Iterator<Item = [f64; 3]> + Clone) -> f64 {
     const ROUNDING: f64 = 1e-14;
-    let size = |[x, y, _]: [f64; 3]| libm::hypot(x, y);
-    let Some(longest) = vectors.clone().max_by(|a, b| size(*a).total_cmp(&size(*b))) else {
+    let square = |[x, y, _]: [f64; 3]| x * x + y * y;
+    let longest = |a: &[f64; 3], b: &[f64; 3]| square(*a).total_cmp(&square(*b));
+    let Some(longest) = vectors.clone().max_by(longest) else {
         return 0.0;
     };
-    let peak = size(longest);
+    let peak = libm::hypot(longest[0], longest[1]);
     let across = |[x, y, _]: [f64; 3]| longest[0] * y - longest[1] * x;
     let mut deviations = vectors.map(|vector| across(vector).abs());
     let is_straight = deviations.all(|deviation| deviation <= ROUNDING * peak * peak);

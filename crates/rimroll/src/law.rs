@@ -253,7 +253,8 @@ pub trait Dynamics<T: Real> {
         None
     }
 
-    /// The contribution of resistance to dw/dτ, also at tilts at which it has faded out.
+    /// The contribution of resistance to dw/dτ, as if it did not fade out at small tilts: whether it stops the contact
+    /// point must not depend on that.
     fn resistance_rate(&self, _u: &Coordinates<T>) -> T {
         T::from(0.0)
     }

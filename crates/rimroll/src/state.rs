@@ -295,7 +295,7 @@ impl Coordinates<f64> {
     /// Whether all coordinates are finite.
     #[inline(always)]
     pub(crate) fn is_finite(&self) -> bool {
-        // A product with an infinity or a NaN is a NaN.
+        // Zero times an infinity or a NaN is a NaN.
         self.into_array()
             .iter()
             .map(|value| 0.0 * value)

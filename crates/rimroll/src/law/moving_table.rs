@@ -4,8 +4,8 @@
 //! hold with two changes: gravity is G = g + a_z, and the horizontal inertial force −m (a₁, a₂) acts at the centre
 //! of mass, where a₁ = a_x cos ψ + a_y sin ψ and a₂ = −a_x sin ψ + a_y cos ψ are the components along e_x1 and e_y1.
 //!
-//! A body that rocks in a vertical plane along a straight motion of the table stays in it: rounding pushes it out of the
-//! plane nowhere (see [`across_plane`]).
+//! A body that rocks in a vertical plane along a straight motion of the table stays in it exactly: no rounding error
+//! pushes it out (see [`across_plane`]).
 //!
 //! The energy relative to the table changes by the work −m a · v of the inertial force, with v the
 //! velocity of the centre of mass relative to the table.

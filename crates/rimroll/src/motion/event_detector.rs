@@ -494,7 +494,6 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// The first terminal event inside a step and the fraction of the step at which it occurs.
     /// The samples, with more where the normal force or the friction cone margin may be negative between them.
     fn with_dips(&self, phase: Phase, dense: &Polynomial, samples: &[Sample]) -> Vec<Sample> {
         let mut all = samples.to_vec();
@@ -528,6 +527,7 @@ impl<'a> EventDetector<'a> {
         all
     }
 
+    /// The first terminal event inside a step and the fraction of the step at which it occurs.
     fn first_terminal_event(
         &self,
         phase: Phase,

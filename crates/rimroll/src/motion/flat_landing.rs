@@ -10,8 +10,9 @@ use crate::state::Coordinates;
 use core::f64::consts::PI;
 
 /// The motion after the whole base has come down flat at once: in a plane, or because a resistance has stopped the contact
-/// point on the rim. A base that has stopped like that and falls from a tilt at which the resistance still holds the contact
-/// point comes to rest under [`Stop`](Self::Stop) and [`Smooth`](Self::Smooth).
+/// point on the rim. A base that has stopped like that comes to rest if the resistance would hold the contact point even at
+/// the tilt from which the base fell: under [`Smooth`](Self::Smooth), and on a table that moves also under
+/// [`Stop`](Self::Stop).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum FlatLanding {
     /// The motion ends.

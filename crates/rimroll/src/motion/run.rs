@@ -188,6 +188,9 @@ impl<'a> Run<'a> {
             }
             let (phase, start, pace) =
                 match core::mem::replace(&mut self.next, AfterEvent::End(Status::Failed)) {
+                    AfterEvent::End(_) if self.trajectory.is_broken() => {
+                        return Followed::Ended(Status::Failed);
+                    }
                     AfterEvent::End(status) => return Followed::Ended(status),
                     AfterEvent::Phase(phase, PhaseStart { u, .. }) if phase.is_level() => {
                         self.next = self.follow_level(phase, u, report);

@@ -197,9 +197,10 @@ impl Instant {
         let reaction = supported.reaction(pose);
         let normal = reaction.normal[0] + reaction.normal[1];
         // The table does not pull: where it would have to, the body leaves it at this moment.
-        let (normal, friction) = match normal > 0.0 {
-            true => (normal, reaction.friction),
-            false => (0.0, 0.0),
+        let (normal, friction) = if normal <= 0.0 {
+            (0.0, 0.0)
+        } else {
+            (normal, reaction.friction)
         };
         let corner = supported.support.corner();
         let kinetic = supported.kinetic(pose);

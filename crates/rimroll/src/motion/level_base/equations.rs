@@ -14,8 +14,8 @@ use crate::state::{Coordinates, TIME};
 /// dt = sin φ dτ no time passes there.
 pub(in crate::motion) const UPLIFT_TILT: f64 = 1e-15;
 
-/// The tilt at which a base that falls on a table that moves is flat, rad. Rounding in the components of the table's
-/// acceleration makes planar motions deviate by as much. A body that begins to rock is flatter than that.
+/// The tilt at which a base that falls on a table that moves is flat, rad. It is not zero, because with dt = sin φ dτ no
+/// fall reaches zero, and it is above [`UPLIFT_TILT`], from which a body begins to rock.
 pub(in crate::motion) const FLAT_TILT: f64 = 1e-13;
 
 /// The number of coordinates that change while a level base slides or flies.
@@ -65,6 +65,7 @@ impl<'a, T: Scalar> LevelEquations<'a, T> {
     pub(in crate::motion) fn field(&self, [x, y, z]: [T; 3]) -> ([T; 2], T) {
         let [cos, sin] = self.heading;
         let mut across = y * cos - x * sin;
+        // As `across_plane` in `law/moving_table.rs`, for a base that does not turn.
         if across.value().abs() < self.rounding {
             across = across - T::from(across.value());
         }
@@ -122,7 +123,7 @@ impl<'a, T: Scalar> LevelEquations<'a, T> {
             [x * cos + y * sin, y * cos - x * sin]
         };
         let [x1, y1] = turned([u.x1, u.y1]);
-        // Friction is opposite to the slip.
+        // The friction, which points along e_x1 now, is opposite to the slip. So no slip along e_y1 is left but rounding.
         let [slip_x, _] = turned([u.slip_x, u.slip_y]);
         let slip_y = T::from(0.0);
         Coordinates {
