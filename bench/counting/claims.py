@@ -157,10 +157,14 @@ def many(shaken: Shaken, motion: rr.Motion) -> Finding:
     found = rr.shake_many(
         shaken.body, shaken.start, shaken.law, shaken.ground(), threads=1, **shaken.options()
     ).isel(trial=0)
-    mine = {"overturned": float(motion.overturned)}
+    mine = {
+        "overturned": float(motion.overturned is True),
+        "undecided": float(motion.overturned is None),
+        "stands": float(motion.stands),
+    }
     if not motion.overturned:
         mine |= {"end_tilt": motion.tilt[-1], "end_time": motion.t[-1]}
-        mine |= {name: getattr(motion, name) for name in ("max_tilt", "residual_yaw")}
+        mine |= {"max_tilt": motion.max_tilt, "end_yaw": motion.body_yaw[-1] - motion.body_yaw[0]}
         mine |= {name: motion[name][-1] for name in ("ground_work", "friction_loss")}
     wrong = [
         name for name, one in mine.items() if not abs(float(found[name]) - one) <= 1e-12 * abs(one)

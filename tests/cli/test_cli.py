@@ -389,7 +389,7 @@ def test_a_body_that_stands_can_be_knocked(stdout_of):
     assert "standing, knocked to a tilt rate of 3 rad/s" in text and "did not overturn" in text
     answer = json.loads(stdout_of("simulate --tilt 0 --tilt-rate 3 --json"))
     shaken = json.loads(
-        stdout_of("shake --tilt-rate 3 --pulse sine --amplitude 0 --period 1s --json")
+        stdout_of("shake --tilt-rate 3 --pulse sine --amplitude 0 --period 1s --flat stop --json")
     )
     assert answer["status"] == shaken["status"] == "face_down"
     assert answer["events"][0]["kind"] == "tilt_max"

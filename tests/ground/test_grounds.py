@@ -387,4 +387,4 @@ def test_a_ground_of_any_length_is_shown_at_once(cycles):
     sums = [one + rr.ground.ricker(2.0, 0.5), one + RECORD]
     texts = [repr(ground) + ground._repr_html_() for ground in (one, *sums)]
     assert all("peaks at most 5, " in text for text in texts[1:2])
-    assert time.process_time() - begun < 0.2
+    assert time.process_time() - begun < 2.0  # searching all cycles would take minutes

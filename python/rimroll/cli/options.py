@@ -162,8 +162,8 @@ class _LawOptions:
     surface: Annotated[
         str | None,
         _option(
-            f"Dry friction of metal on {', '.join(surfaces.SURFACES)}, but stone on stone: typical"
-            " values.",
+            "Dry friction, typical values: metal on"
+            f" {', '.join(name for name in surfaces.SURFACES if name != 'stone')}; stone on stone.",
             "NAME",
             "Table",
             surfaces.SURFACES,

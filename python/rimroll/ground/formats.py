@@ -6,7 +6,7 @@ import re
 
 from rimroll.errors import RimrollError
 
-OBSPY = "read it with ObsPy: rr.ground.from_obspy(obspy.read(FILE), units)"
+OBSPY = 'read it with ObsPy: rr.ground.from_obspy(obspy.read(FILE), "m/s2")'
 TABLE = (
     "write its accelerations as a CSV file with the columns t (s), ax (m/s2), ay (m/s2), az (m/s2)"
 )

@@ -206,7 +206,8 @@ class Ground:
         quantity = choose("measure", measure, {name: name for name in ("pga", "pgv", "sa")})
         how = choose("horizontal", horizontal, {name: name for name in HORIZONTAL})
         if (period is None) == (quantity == "sa"):
-            raise RimrollError("period is that of the oscillator of sa: give both or none")
+            needed = "measure sa needs a period" if period is None else "period is only for sa"
+            raise RimrollError(f"{needed}, the natural period of its oscillator in s")
         if period is not None:
             from rimroll.ground.spectrum import spectral_acceleration
 

@@ -85,13 +85,14 @@ def _end_in_words(motion: Motion) -> str:
     since = 0.0 if motion.ground is None else min(motion.ground.duration, end)
     energy = float(motion.evaluate(since).energy[0])
     lost = 100.0 * (energy - float(motion.energy[-1])) / energy
+    since_words = "the start" if motion.ground is None else "the ground came to rest"
     why = "a longer motion shows where it stands"
-    if not motion.law.resistances:
+    if not motion.law.resistances and lost < 1.0:
         why = "nothing in this law takes its energy while it rolls; a rolling resistance does"
     return (
         f"At {end:.6g} s it still rocks, up to {np.degrees(tilt):.4g}°,"
         f" {tilt / float(balance_tilt(motion.body)):.4g} of the balance tilt, so that where it will"
-        f" stand and how far it turns is undecided. Since the ground came to rest it has lost"
+        f" stand and how far it turns is undecided. Since {since_words} it has lost"
         f" {lost:.2g} % of its energy; {why}."
     )
 

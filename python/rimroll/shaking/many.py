@@ -52,7 +52,7 @@ VARIABLES = {
         "whether it is undecided if the body overturns",
         "the motion ended before that was determined: it failed, came down flat, lifted off below"
         " the balance tilt under a law without flight, or the ground still moved at the end, or the"
-        " body could still reach its balance tilt; a body that is undecided has not stood",
+        " body could still reach its balance tilt",
     ),
     "stands": ("", "whether the body stands at the end", "and the ground no longer moves"),
     "overturning_time": ("s", "time of overturning", "NaN for a body that did not overturn"),
