@@ -6,8 +6,8 @@ longer side, is that of the tin. The file examples/simulated_phone_in_a_can.csv 
 record, as record.save writes it.
 
     760 samples, 200 Hz
-    veer 54.7°, read as 53.7 ± 1.6°
-    friction 0.2, read as 0.21 (0.18 to 0.23)
+    veer 54.7°, read as 53.7 ± 0.9°
+    friction 0.2, read as 0.21 (0.19 to 0.22)
 """
 
 from dataclasses import replace
