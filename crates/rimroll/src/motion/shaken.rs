@@ -177,8 +177,7 @@ pub(super) fn is_undecided(
         || !k.is_past_balance(end.tilt())
             && energy_of_tilting(contacts, end) < k.m * k.g * (libm::hypot(k.r, k.h) - k.h)
         || repeats_itself(contacts, events, end);
-    let is_at_end = matches!(status, Status::Finished | Status::FaceDown);
-    !is_at_end || !is_safe || !ground_is_over(contacts, end)
+    status != Status::Finished || !is_safe || !ground_is_over(contacts, end)
 }
 
 /// Whether the tilt is periodic: the body has passed a minimum and a maximum of the tilt on a table at rest, without loss

@@ -2,7 +2,7 @@
 
 use super::saltation::{Saltation, refused, tilt_from};
 use super::shaken_slope::{Number, SHAKEN_PARAMETERS, ShakenSlope, all_or_none, without};
-use super::variation::{Variation, rates};
+use super::variation::{Variation, ends_at_corner, rates};
 use super::{
     CoordinatesAndRates, PARAMETERS, STEPS_BETWEEN_REPORTS, parameter, start, state_slopes,
     turn_slope, values, varied_parameters, with_values,
@@ -122,8 +122,13 @@ impl ShakenSensitivity {
         let end = self.variation.followed(contacts, record, &start, 1.0);
         let end = with_values(&end, &record.end);
         // Where a body has just begun to rock, the derivatives at a fixed τ are those at a fixed time plus 1e8 times the
-        // rates and more, so that errors of steps would be amplified as much.
-        self.end = self.with_rates(motion, record, end).at_fixed_time();
+        // rates and more, so that errors of steps would be amplified as much. Elsewhere it is those at a fixed time that
+        // may be large: no time passes with τ where a slip stops.
+        self.end = if self.uplift_time.is_some() || ends_at_corner(contacts, record) {
+            self.with_rates(motion, record, end).at_fixed_time()
+        } else {
+            end
+        };
     }
 
     fn with_rates(
