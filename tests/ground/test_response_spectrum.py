@@ -114,7 +114,7 @@ def test_what_is_no_oscillator_is_refused(periods, damping, message):
 def test_intensities_of_two_components_do_not_depend_on_the_axes(
     seed: int, degrees: int, measure: str
 ) -> None:
-    """Turning a record leaves its vector and its RotD50, the median over whole degrees, as they are."""
+    """Turning a record by whole degrees, over which RotD50 is a median, changes neither."""
     record = rr.ground.synthetic(seed, (1.0, 0.6, 0.3), duration=5.0)
     period = 0.7 if measure == "sa" else None
     for how, tolerance in (("vector", 2e-4), ("rotd50", 1e-3)):
