@@ -140,7 +140,7 @@ def test_a_motion_that_stops_early_is_undecided(stdout_of, command, status, word
 
 def test_a_body_that_still_rocks_has_no_residual_place(stdout_of):
     """Two components and no losses: the wobble goes on for ever."""
-    pulse = "shake --pulse sine --amplitude 0.85g,0.3g,0 --period 0.3s"
+    pulse = "shake --pulse sine --amplitude 0.85g,0.3g,0 --period 0.3s,0.2s,1s"
     text = stdout_of(pulse)
     assert "It did not overturn. At 10.3 s it still rocks, up to" in text
     assert "% of its energy; nothing in this law takes its energy" in text

@@ -147,7 +147,7 @@ def fragility(
 
     $ rimroll fragility column.toml peer/*.AT2 --measure pgv --limit 0.5 --json
 
-    $ rimroll fragility column.toml peer/*.AT2 --measure sa --period 1s --horizontal rotd50
+    $ rimroll fragility column.toml peer/*.AT2 --measure sa --period 1s
     """
     paths = output or []
     check(paths, FORMS, json)
