@@ -44,7 +44,7 @@ def wrong_commands(text):
     for block, shown in COMMANDS.findall(text):
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
-            for command in block.splitlines():
+            for command in block.replace("\\\n", " ").splitlines():
                 program, *arguments = shlex.split(command)
                 status = main(arguments) if program == "rimroll" else None
                 if status != 0:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import IO
 
 from rimroll.errors import RimrollError
+from rimroll.units import SECONDS
 
 Source = str | os.PathLike[str] | IO[bytes]
 """A path, or a binary stream such as ``sys.stdin.buffer``."""
@@ -34,7 +35,8 @@ _EXCEL = {
 }
 _TITLE_BETWEEN_SPACES = re.compile(r"[^\s\[(]+(?:\s*[\[(][^\])]*[\])])?")
 _UNITS = re.compile(
-    r"|s|secs?|seconds|[mµμun]s|g|gal|mg|rad|deg|°|dps|counts|-|(m|cm|mm|in|ft)(/s\S*)?|(rad|deg|°)/s\S*",
+    rf"|{'|'.join(SECONDS)}|g|gal|mg|rad|deg|°|dps|counts|-"
+    r"|(m|cm|mm|in|ft)(/s\S*)?|(rad|deg|°)/s\S*",
     re.IGNORECASE,
 )
 MOST_ABOVE = 100

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, UnitError
 from rimroll.table import Table
-from rimroll.units import factor_of
+from rimroll.units import SECONDS, factor_of
 
 Array = NDArray[np.float64]
 
@@ -23,18 +23,11 @@ _HUMP = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
 _BETWEEN_WORDS = re.compile(r"[\s_.,;:/\\()\[\]\-]+")
 _COMPASS = re.compile(r"\b([NnEeUu])-([SsWwDd])(?=\d?\b)")
 
-SECONDS = {
-    **dict.fromkeys(("s", "sec", "secs", "second", "seconds", "sekunden"), 1.0),
-    **dict.fromkeys(("ms", "msec", "msecs", "millis", "milliseconds", "millisecond"), 1e-3),
-    **dict.fromkeys(("us", "µs", "μs", "usec", "usecs", "micros", "microseconds"), 1e-6),
-    **dict.fromkeys(("ns", "nsec", "nsecs", "nanos", "nanoseconds"), 1e-9),
-    **dict.fromkeys(("min", "minutes"), 60.0),
-}
-"""Units of time as titles spell them."""
+_WITHOUT_BRACKETS = [unit for unit in SECONDS if not unit.startswith("min")]
+"""Units of time that a title may end with: min may be a minimum."""
 
 _AT_END = re.compile(
-    r"(.*?)(?:[\s_,/]+|\s+in\s+)"
-    r"(s|secs?|seconds|[mµμun]s(?:ecs?)?|millis|micros|nanos|(?:milli|micro|nano)seconds"
+    rf"(.*?)(?:[\s_,/]+|\s+in\s+)({'|'.join(_WITHOUT_BRACKETS)}"
     r"|m/s/s|m/s\^?[2²]|cm/s/s|cm/s\^?[2²]|mps2|g|gal|m/s|cm/s|mm/s|m|cm|mm"
     r"|rads?[/_]?s(?:ec)?|(?:deg|degrees|°)[/_]?s(?:ec)?|dps|mdps)",
     re.IGNORECASE,
@@ -88,9 +81,9 @@ def title_of(text: str) -> Title:
         return Title(_words(parts[1]), parts[2])
     words = _words(title)
     unit = next((word for word in words.split() if word in _LONG_SECONDS), None)
-    last = words.split()[-1:]
-    if unit is None and last and (last[0] in ("ms", "us", "µs", "ns", "millis", "micros", "nanos")):
-        unit = last[0]
+    last = words.split()[-1] if words else ""
+    if unit is None and len(last) > 1 and last in _WITHOUT_BRACKETS:
+        unit = last
     return Title(words, unit)
 
 

@@ -83,6 +83,15 @@ _EVERYDAY = {
 }
 """Factors without the registry, whose loading takes longer than most motions."""
 
+SECONDS = {
+    **dict.fromkeys(("s", "sec", "secs", "second", "seconds", "sekunden"), 1.0),
+    **dict.fromkeys(("ms", "msec", "msecs", "millis", "milliseconds", "millisecond"), 1e-3),
+    **dict.fromkeys(("us", "µs", "μs", "usec", "usecs", "micros", "microseconds"), 1e-6),
+    **dict.fromkeys(("ns", "nsec", "nsecs", "nanos", "nanoseconds"), 1e-9),
+    **dict.fromkeys(("min", "minutes"), 60.0),
+}
+"""Units of time as titles and people spell them, in s."""
+
 _ACCELERATIONS = {"g": STANDARD_GRAVITY, "gal": 0.01}
 """Units that measure something else elsewhere: to the registry these are a gram and a gallon."""
 
