@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from rimroll import style
+from rimroll.figures import style
 
 from .contestants import LAWS, Contestant
 from .results import Results, Row, contestants, frontier

@@ -93,7 +93,7 @@ class Body:
 
     def _repr_html_(self) -> str | None:
         """The view in notebooks."""
-        from rimroll.notebook import body_in_html
+        from rimroll.figures.notebook import body_in_html
 
         return body_in_html(self)
 

@@ -16,13 +16,13 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from rimroll import style
 from rimroll.directions import around, middle_of
 from rimroll.endings import FELL, ending_in_words
 from rimroll.falls import Falls
+from rimroll.figures import style
+from rimroll.figures.style import powers_into_label
 from rimroll.many_falls import fell, outcomes
 from rimroll.map_line import side_line
-from rimroll.ticks import powers_into_label
 
 if TYPE_CHECKING:
     import xarray as xr

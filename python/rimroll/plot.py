@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, SymmetricalLogLocator
 
-from rimroll import style
+from rimroll.figures import style
 from rimroll.laws import NoSlip, has_one_limit
 from rimroll.theory import needed_friction, turn_limit
 

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
-from rimroll import style
+from rimroll.figures import style
 from rimroll.motion.shaken import footprint_of
 from rimroll.plot import shade_phases
 from rimroll.theory import balance_tilt

@@ -168,7 +168,7 @@ class State(Generic[FieldT]):
 
     def _repr_html_(self) -> str | None:
         """The view in notebooks."""
-        from rimroll.notebook import state_in_html
+        from rimroll.figures.notebook import state_in_html
 
         return state_in_html(self)
 

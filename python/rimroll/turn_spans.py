@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rimroll.errors import RimrollError
-from rimroll.scene import Motion
+from rimroll.figures.scene import Motion
 
 if TYPE_CHECKING:
     from rimroll.motion.parts import Turn

@@ -22,7 +22,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 
 import rimroll as rr
-from rimroll.style import figure_style
+from rimroll.figures.style import figure_style
 from rimroll_score.cases import Case, cases
 from rimroll_score.euler import frame
 from rimroll_score.machine import machine

@@ -16,10 +16,10 @@ from matplotlib.text import Text
 
 import rimroll as rr
 from given.strategies import examples
-from rimroll import style
 from rimroll.cli import main
 from rimroll.experiment.histogram import falls_figure
 from rimroll.experiment.toppling import counted, limits
+from rimroll.figures import style
 from rimroll.many_falls import VARIABLES
 from rimroll.paper.setting import MEASURED
 

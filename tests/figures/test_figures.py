@@ -11,7 +11,7 @@ import pytest
 from matplotlib.text import Text
 
 import rimroll as rr
-from rimroll import style
+from rimroll.figures import style
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing
 from rimroll.paper.figures import (

@@ -9,7 +9,7 @@ import pytest
 from matplotlib.text import Text
 
 import rimroll as rr
-from rimroll import style
+from rimroll.figures import style
 from rimroll.map_line import HALVINGS, side_line
 from rimroll.map_plot import beyond, map_figure, span
 from rimroll.paper import setting

@@ -11,10 +11,11 @@ import numpy as np
 import pytest
 
 import rimroll as rr
-from rimroll import plot, style
+from rimroll import plot
 from rimroll.cli.outcomes import outcome, tables
 from rimroll.cli.request import Request
 from rimroll.cli.side_by_side import side_by_side
+from rimroll.figures import style
 from rimroll.laws import LAWS
 from rimroll.laws.shared import FRICTION, RESTITUTION, STATIC
 from rimroll.options import Options

@@ -14,9 +14,9 @@ from matplotlib.patches import Circle, Rectangle, Wedge
 
 import rimroll as rr
 from given.strategies import bodies, examples
-from rimroll import style
 from rimroll.cli import main
 from rimroll.experiment import protractor
+from rimroll.figures import style
 
 CAN = rr.bodies.can_2007()
 POINTS = 72.0 / 25.4  # in a mm

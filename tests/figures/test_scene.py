@@ -15,16 +15,16 @@ pytest.importorskip("matplotlib")
 from matplotlib.figure import Figure
 from PIL import Image, ImageSequence
 
-from rimroll import artists, scene
-from rimroll.animation import animate
-from rimroll.animation.clock import film_clock, slowed
-from rimroll.animation.files import gif_pauses
-from rimroll.animation.painter import Painter, Trail
-from rimroll.animation.stage import Stage
 from rimroll.errors import RimrollError
-from rimroll.falling_figure import falling_figure, falling_times
+from rimroll.figures import artists, scene
+from rimroll.figures.animation import animate
+from rimroll.figures.animation.clock import film_clock, slowed
+from rimroll.figures.animation.film import gif_pauses
+from rimroll.figures.animation.painter import Painter, Trail
+from rimroll.figures.animation.stage import Stage
+from rimroll.figures.scene import Array, Camera, Pose, Profile
+from rimroll.figures.sequence import falling_figure, falling_times
 from rimroll.output import ensure_folder, writing
-from rimroll.scene import Array, Camera, Pose, Profile
 from rimroll.turn_spans import turn_span, turn_spans
 
 

@@ -7,11 +7,9 @@ import pytest
 from PIL import Image
 
 import rimroll as rr
-from rimroll import scene
-from rimroll.animation.clock import film_clock
-from rimroll.animation.moving_table import MovingTable, round_step
-from rimroll.animation.shaken_stage import ShakenStage
-from rimroll.animation.strip import extremes
+from rimroll.figures import scene
+from rimroll.figures.animation.clock import film_clock
+from rimroll.figures.animation.stage import MovingTable, ShakenStage, extremes, round_step
 
 COLUMN = rr.Body(1000, 0.5, 2.0, 1395.8333333333333, 125.0)
 GROUND = rr.ground.sine((3.0, 1.5, 2.0), (1.2, 0.8, 0.5), (1, 1, 2))

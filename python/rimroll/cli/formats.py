@@ -98,7 +98,7 @@ def pictures(draw: Callable[[T], Figure], dpi: int = 200) -> Forms[T]:
     """The forms of a picture."""
 
     def picture(part: Path, thing: T, bar: Bar) -> None:
-        from rimroll.style import save  # brings matplotlib, which is slow to load
+        from rimroll.figures.style import save  # brings matplotlib, which is slow to load
 
         save(draw(thing), part, dpi)
 

@@ -11,9 +11,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from rimroll import style
 from rimroll.cli.outcomes import Outcome
 from rimroll.errors import RimrollError
+from rimroll.figures import style
 from rimroll.motion import Array, Moments, Motion
 from rimroll.plot import TIME_UNITS, near_collision_window
 from rimroll.theory import needed_friction

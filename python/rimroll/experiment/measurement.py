@@ -69,7 +69,7 @@ class Measurement:
 
     def _repr_html_(self) -> str:
         """The view in notebooks."""
-        from rimroll.notebook import measurement_in_html
+        from rimroll.figures.notebook import measurement_in_html
 
         return measurement_in_html(self)
 

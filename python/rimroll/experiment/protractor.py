@@ -23,9 +23,9 @@ from matplotlib.patheffects import withStroke
 from rimroll._core import __version__
 from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError
+from rimroll.figures.style import figure_style
 from rimroll.laws import Frictionless, NoSlip
 from rimroll.names import choose
-from rimroll.style import figure_style
 from rimroll.theory import turn_limit
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rimroll import style
+from rimroll.figures import style
 
 if TYPE_CHECKING:
     from rimroll.filmed.result import TrackFit

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullLocator
 
-from rimroll import style
+from rimroll.figures import style
 
 if TYPE_CHECKING:
     from rimroll.ground.ground import Ground

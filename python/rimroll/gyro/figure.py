@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from rimroll import style
+from rimroll.figures import style
 from rimroll.gyro.attitude import across
 
 if TYPE_CHECKING:

@@ -33,8 +33,8 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
 
-    from rimroll.animation import Film
     from rimroll.browser.view import Lab
+    from rimroll.figures.animation import Film
     from rimroll.ground.ground import Ground
 
 MAX_SAMPLES = 10_000_000
@@ -459,9 +459,10 @@ class Motion(Moments):
         """Write the motion as a film: GIF, self-contained HTML page or MP4, by the suffix.
 
         Time slows down while the contact point runs fast round the rim. For ``seconds``,
-        ``speed``, ``fps``, ``view`` and the other options see :func:`rimroll.animation.animate`.
+        ``speed``, ``fps``, ``view`` and the other options see
+        :func:`rimroll.figures.animation.animate`.
         """
-        from rimroll.animation import animate
+        from rimroll.figures.animation import animate
 
         return animate(self, path, **options)
 
@@ -471,7 +472,7 @@ class Motion(Moments):
         The options are those of :meth:`animate`; unless they are given, the film lasts 6 s and has
         15 pictures a second of 400 × 300 pixels.
         """
-        from rimroll.animation.film import film
+        from rimroll.figures.animation.film import film
 
         return film(self, **options)
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from html import escape
 from typing import TYPE_CHECKING
 
+from rimroll.figures.notebook import TURN_HEAD, table, turn_cells
 from rimroll.motion.shaken import shaken_in_words
-from rimroll.notebook import TURN_HEAD, table, turn_cells
 
 if TYPE_CHECKING:
     from rimroll.motion.motion import Motion

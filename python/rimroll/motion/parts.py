@@ -71,7 +71,7 @@ class Turn:
 
     def _repr_html_(self) -> str:
         """The view in notebooks."""
-        from rimroll.notebook import turn_in_html
+        from rimroll.figures.notebook import turn_in_html
 
         return turn_in_html(self)
 

@@ -13,12 +13,12 @@ import numpy as np
 
 from rimroll import bodies, theory
 from rimroll.body import Body
+from rimroll.figures.style import superscript
 from rimroll.laws import Frictionless, NoSlip
 from rimroll.motion import Motion, simulate
 from rimroll.paper.figures import disks_against_friction as disks
 from rimroll.paper.figures import turn_against_friction as dry
 from rimroll.paper.setting import CAN, GRAVITY, LAWS, motion, start
-from rimroll.style import superscript
 
 AGREES, CUT, DIFFERS, MEASURED = "agrees", "cut, not rounded", "differs", "measured"
 INPUT = "input"

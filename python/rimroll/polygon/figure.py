@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rimroll.scene.palette import BLUE, GREEN, INK, VERMILLION
+from rimroll.figures.scene.shape import BLUE, GREEN, INK, VERMILLION
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

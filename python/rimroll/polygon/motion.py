@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
 
-    from rimroll.animation import Film
+    from rimroll.figures.animation import Film
 
 Array = NDArray[np.float64]
 
@@ -268,13 +268,13 @@ class PolygonMotion(PolygonMoments):
 
     def animate(self, path: str | os.PathLike[str], **options: Any) -> Path:
         """Write the motion as a film: GIF, HTML page or MP4; see :meth:`rimroll.Motion.animate`."""
-        from rimroll.animation import animate
+        from rimroll.figures.animation import animate
 
         return animate(self, path, **options)
 
     def film(self, **options: Any) -> Film:
         """The motion as a film that a notebook shows; see :meth:`rimroll.Motion.film`."""
-        from rimroll.animation.film import film
+        from rimroll.figures.animation.film import film
 
         return film(self, **options)
 

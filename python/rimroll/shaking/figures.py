@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from rimroll import style
+from rimroll.figures import style
 
 if TYPE_CHECKING:
     from rimroll.falls import Falls

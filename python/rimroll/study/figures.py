@@ -11,8 +11,8 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from rimroll import style
 from rimroll.errors import RimrollError
+from rimroll.figures import style
 from rimroll.names import nearest
 from rimroll.study.plan import TRIAL
 from rimroll.study.quantities import (

@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rimroll.style import SERIES, figure_style
+from rimroll.figures.style import SERIES, figure_style
 from rimroll_score.paths import NEAR, seen_from_above, true_motion
 from rimroll_score.results import EngineResult
 from rimroll_score.sweep import Run

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from rimroll import scene
-from rimroll.animation.painter import Painter
+from rimroll.figures import scene
+from rimroll.figures.animation.painter import Painter
 from rimroll_score.cases import cases
 from rimroll_score.paths import NEAR, Path5, true_path
 from rimroll_score.protocol import Body

@@ -12,11 +12,11 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from rimroll import style
 from rimroll.directions import around, middle_of
 from rimroll.experiment.fitting.likelihood import Likelihood
+from rimroll.figures import style
+from rimroll.figures.style import directions_in_degrees
 from rimroll.laws import Coulomb
-from rimroll.ticks import directions_in_degrees
 
 if TYPE_CHECKING:
     from rimroll.experiment.fitting.estimate import Estimate

@@ -109,7 +109,7 @@ class Fit:
 
     def _repr_html_(self) -> str:
         """The view in notebooks."""
-        from rimroll.notebook import fit_in_html
+        from rimroll.figures.notebook import fit_in_html
 
         return fit_in_html(self)
 

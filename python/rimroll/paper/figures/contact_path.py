@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 from matplotlib.axes import Axes
 
-from rimroll import style
+from rimroll.figures import style
 from rimroll.laws import Frictionless, NoSlip
 from rimroll.motion import Array, Moments, Motion, simulate
 from rimroll.paper import setting

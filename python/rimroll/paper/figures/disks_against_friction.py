@@ -7,8 +7,9 @@ from functools import cache
 import numpy as np
 from matplotlib.axes import Axes
 
-from rimroll import bodies, style
+from rimroll import bodies
 from rimroll.body import Body
+from rimroll.figures import style
 from rimroll.laws import Coulomb, Frictionless, Law, NoSlip, Stribeck, Viscous
 from rimroll.motion import Array, Motion, simulate
 from rimroll.paper import setting

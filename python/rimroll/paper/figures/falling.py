@@ -6,8 +6,8 @@ from functools import cache
 
 import numpy as np
 
-from rimroll import style
-from rimroll.falling_figure import falling_figure
+from rimroll.figures import style
+from rimroll.figures.sequence import falling_figure
 from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import Motion, simulate
 from rimroll.paper import setting

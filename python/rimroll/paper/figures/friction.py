@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 from matplotlib.axes import Axes
 
-from rimroll import style
+from rimroll.figures import style
 from rimroll.laws import NoSlip
 from rimroll.motion import Array, Motion, Turn
 from rimroll.paper import setting

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from rimroll import bodies, solids, style
+from rimroll import bodies, solids
 from rimroll.body import Body
+from rimroll.figures import style
 from rimroll.laws import Frictionless, NoSlip
 from rimroll.motion import Array
 from rimroll.paper import setting

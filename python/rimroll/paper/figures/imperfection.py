@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from rimroll import style
+from rimroll.figures import style
 from rimroll.imperfection import ImperfectRim, imperfect_rim
 from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import Array

@@ -7,8 +7,8 @@ from functools import cache
 import numpy as np
 from matplotlib.axes import Axes
 
-from rimroll import style
 from rimroll.approximations import Composite, composite
+from rimroll.figures import style
 from rimroll.laws import Law, NoSlip
 from rimroll.motion import Array
 from rimroll.paper import setting

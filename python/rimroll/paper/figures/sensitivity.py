@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from rimroll import style
 from rimroll.falls import Column, Falls
+from rimroll.figures import style
+from rimroll.figures.style import superscript
 from rimroll.laws import Coulomb, Frictionless, Law, NoSlip
 from rimroll.left_or_right import map_falls, watershed, watershed_slope
 from rimroll.many_falls import OPTIONS, follow
@@ -20,7 +21,6 @@ from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
 from rimroll.paper.setting import MEASURED
 from rimroll.state import State
-from rimroll.style import superscript
 from rimroll.theory import turn_limit
 
 FRICTION = 0.15

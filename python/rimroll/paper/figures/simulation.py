@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rimroll import style
+from rimroll.figures import style
 from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import Motion
 from rimroll.paper import setting

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 
-from rimroll import style
 from rimroll.approximations import NearCollision
+from rimroll.figures import style
 from rimroll.laws import Law
 from rimroll.motion import Array
 from rimroll.paper import setting

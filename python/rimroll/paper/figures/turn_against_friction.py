@@ -15,8 +15,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from scipy.optimize import brentq
 
-from rimroll import style
 from rimroll.errors import RimrollError
+from rimroll.figures import style
 from rimroll.laws import Coulomb, Frictionless, NoSlip
 from rimroll.motion import Array, Motion, simulate
 from rimroll.paper import setting

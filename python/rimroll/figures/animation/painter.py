@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from rimroll.scene import Array
+from rimroll.figures.scene import Array
 
 FINE = 3
 """Shapes are drawn this many times larger: a pixel has nine parts."""

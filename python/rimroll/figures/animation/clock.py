@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rimroll.errors import RimrollError
-from rimroll.scene import Array, Motion
+from rimroll.figures.scene import Array, Motion
 
 PACE = (
     1.1 * np.pi

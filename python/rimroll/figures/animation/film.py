@@ -1,23 +1,30 @@
-"""Films as files: GIF, a page with controls, or MP4."""
+"""Films in memory and as files: GIF, a page with controls, or MP4."""
 
 from __future__ import annotations
 
 import base64
 import io
+import os
 import shutil
 import subprocess
+import tempfile
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from importlib.resources import files
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from PIL import Image, ImageChops
 
-from rimroll import scene
-from rimroll.animation.stage import Stage
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, callback
+from rimroll.figures import scene
+from rimroll.figures.animation.clock import film_clock
+from rimroll.figures.animation.stage import ShakenStage, Stage
+from rimroll.figures.scene import Camera, Motion, RoundBody
+from rimroll.ground.ground import Ground
+from rimroll.output import writing
 
 HOLD = 1.2  # s for which the last picture of a film stays
 GIF_FASTEST = 50.0
@@ -138,7 +145,7 @@ def _write_mp4(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: floa
 
 
 def _write_page(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: float) -> None:
-    player = files("rimroll.animation").joinpath("player.html").read_text(encoding="utf-8")
+    player = files("rimroll.figures.animation").joinpath("player.html").read_text(encoding="utf-8")
     head, tail = player.replace("FPS", f"{fps:g}").split("PICTURES")
     with path.open("w", encoding="utf-8") as page:
         page.write(head)
@@ -147,3 +154,105 @@ def _write_page(path: Path, shots: Iterable[Image.Image], stage: Stage, fps: flo
             shot.save(png, "PNG")
             page.write(f'"{base64.b64encode(png.getvalue()).decode()}",\n')
         page.write(tail)
+
+
+SMALL: dict[str, Any] = {"fps": 15.0, "size": (400, 300)}
+SHORT = {"seconds": 6.0}
+"""Options of a film in a notebook, whose file holds the film as text."""
+
+
+class Film:
+    """A film as a GIF in memory; :meth:`rimroll.Motion.film` makes it, and a notebook shows it."""
+
+    data: bytes
+    """The content of the GIF."""
+
+    def __init__(self, data: bytes) -> None:
+        self.data = data
+
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Write the film to a .gif file and return its path.
+
+        Raises ``RimrollError`` for another suffix, and for a place that cannot be written to.
+        """
+        path = Path(path)
+        if path.suffix.lower() != ".gif":
+            raise RimrollError(
+                f"a film in memory is a .gif (asked for: {path.name}); the motion's method animate"
+                " writes other kinds"
+            )
+        with writing(path) as part:
+            part.write_bytes(self.data)
+        return path
+
+    def __repr__(self) -> str:
+        return f"<Film, GIF of {len(self.data) / 1e3:.0f} kB>"
+
+    def _repr_html_(self) -> str:
+        """The view in notebooks."""
+        text = base64.b64encode(self.data).decode()
+        alt = "The body rocks and rolls on the rim of its base."
+        return f'<img src="data:image/gif;base64,{text}" alt="{alt}">'
+
+
+def film(motion: Motion, **options: Any) -> Film:
+    """The film that :func:`rimroll.figures.animation.animate` would write with these options.
+
+    Unless they are given, it has 15 pictures a second of 400 × 300 pixels and lasts 6 s.
+    """
+    length = {} if options.keys() & {"seconds", "speed"} else SHORT
+    with tempfile.TemporaryDirectory(prefix="rimroll-") as folder:
+        path = animate(motion, Path(folder) / "film.gif", **{**SMALL, **length, **options})
+        return Film(path.read_bytes())
+
+
+def animate(
+    motion: Motion,
+    path: str | os.PathLike[str],
+    *,
+    body: RoundBody | None = None,
+    speed: float | None = None,
+    fps: float = 25.0,
+    seconds: float | None = None,
+    view: str | Camera = "perspective",
+    slow_collision: bool | None = None,
+    size: tuple[int, int] = (480, 360),
+    progress: Callable[[int, int], object] | None = None,
+) -> Path:
+    """Film ``motion`` and write it to ``path``, a .gif, .html or .mp4 file; return the path.
+
+    ``speed`` is film speed over real speed, by default 0.25, ``fps`` the number of pictures per
+    second (at most 50 in a .gif), ``seconds`` the length of the film if it is to be fixed, ``view``
+    "perspective", "side", "top" or a camera, and ``size`` the picture in pixels. With
+    ``slow_collision`` the film slows down while the contact point runs round the rim, and says how
+    much; this is the default. ``body`` replaces the motion's own, to give it a profile.
+    ``progress`` is called with pictures done and pictures to do.
+
+    The film of a motion on a table that moves runs in real time and is not slowed, unless ``speed``
+    or ``slow_collision`` say otherwise. The eye is at rest: the table, which has a grid, and the
+    body on it move over a dashed outline that stays where the table was at first. The record is
+    below, with the present moment marked. The table's place is :meth:`rimroll.Ground.displacement`;
+    where this exceeds four times the body's radius and height, as in a record that drifts
+    (:meth:`rimroll.Ground.detrended` corrects the baseline) or after a pulse that leaves the table
+    with a velocity, the eye moves with the table, and the film says so.
+
+    The file appears under its name only when it is whole. Raises ``RimrollError`` for an unknown
+    suffix or view, for numbers out of range, and for .mp4 where there is no ffmpeg.
+    """
+    path = Path(path)
+    if not 0.0 < fps <= 100.0:
+        raise RimrollError(f"fps is {fps:g}; it must be above 0 and at most 100")
+    write = writer_for(path, fps)
+    callback("progress", progress)
+    ground: Ground | None = getattr(motion, "ground", None)
+    clock = film_clock(
+        motion,
+        speed=(0.25 if ground is None else 1.0) if speed is None else speed,
+        seconds=seconds,
+        slow_collision=ground is None if slow_collision is None else slow_collision,
+    )
+    shown = (body or motion.body, clock, fps, view, size)
+    stage = Stage(motion, *shown) if ground is None else ShakenStage(motion, ground, *shown)
+    with writing(path) as part:
+        write(part, stage.shots(progress), stage, fps)
+    return path

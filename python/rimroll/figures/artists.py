@@ -14,8 +14,8 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patheffects import withStroke
 
-from rimroll import scene
-from rimroll.scene import Array, Camera, Pose, Profile, RoundBody
+from rimroll.figures import scene
+from rimroll.figures.scene import Array, Camera, Pose, Profile, RoundBody
 
 
 def draw_body(
@@ -117,7 +117,7 @@ def draw_wedge(
     label_at: float = 1.0,
     zorder: float = 1.5,
 ) -> list[Artist]:
-    """Draw an angle on the table, as :func:`rimroll.scene.wedge` gives it."""
+    """Draw an angle on the table, as :func:`rimroll.figures.scene.wedge` gives it."""
     wedge = scene.wedge(camera, center, radius, start, turn, label_at)
     fill = PolyCollection(
         [wedge.sector],

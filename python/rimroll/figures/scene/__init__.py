@@ -3,12 +3,21 @@
 Shapes are given as a camera sees them, in metres in the picture. The body is a mesh of flat facets
 with brightness by Lambert's law. Facets are painted from far to near, except those that face away.
 What lies on the table (shadow, trail, wedge) is painted before the body, which always hides it.
-:mod:`rimroll.artists` draws all this in vectors on matplotlib axes, :mod:`rimroll.animation` paints
-it in pixels.
+:mod:`rimroll.figures.artists` draws all this in vectors on matplotlib axes, and
+:mod:`rimroll.figures.animation` paints it in pixels.
 """
 
-from rimroll.scene.camera import Camera
-from rimroll.scene.palette import (
+from rimroll.figures.scene.pose import (
+    Array,
+    Event,
+    Motion,
+    Pose,
+    RoundBody,
+    States,
+    contact_path,
+    pose_at,
+)
+from rimroll.figures.scene.shape import (
     ARC_WIDTH,
     BLUE,
     CONTACT_EDGE,
@@ -25,21 +34,25 @@ from rimroll.scene.palette import (
     TABLE,
     VERMILLION,
     WEDGE,
+    Mesh,
+    Profile,
+    mesh,
     rgb,
 )
-from rimroll.scene.pose import Array, Event, Motion, Pose, RoundBody, States, contact_path, pose_at
-from rimroll.scene.shape import Mesh, Profile, mesh
-from rimroll.scene.table import (
+from rimroll.figures.scene.view import (
+    Camera,
     Wedge,
     cast_shadow,
+    contact_seen,
     label_offset,
     on_table,
+    rim_stretches,
     shadow_layers,
     table_rings,
+    visible_facets,
     way_in_picture,
     wedge,
 )
-from rimroll.scene.visible import contact_seen, rim_stretches, visible_facets
 
 __all__ = [
     "ARC_WIDTH",

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from rimroll.motion.parts import Turn
     from rimroll.state import State
 
+
 CELL = 'style="text-align: left; padding-right: 1em"'
 
 TURN_HEAD = ("angle", "smallest tilt", "at t")

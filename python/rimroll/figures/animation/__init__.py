@@ -5,7 +5,6 @@ and `film_file` write it, and `film` keeps it in memory. `shaken_stage` shows a 
 its plate is in `moving_table`, the record below in `strip`.
 """
 
-from rimroll.animation.film import Film
-from rimroll.animation.film_file import animate
+from rimroll.figures.animation.film import Film, animate
 
 __all__ = ["Film", "animate"]

@@ -12,8 +12,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from rimroll import artists, scene
-from rimroll.scene import Array, Camera, Motion, Pose, RoundBody
+from rimroll.figures import artists, scene
+from rimroll.figures.scene import Array, Camera, Motion, Pose, RoundBody
 from rimroll.turn_spans import Span, turn_span
 
 NAMES = ("a", "b", "b′", "c", "d", "e")
