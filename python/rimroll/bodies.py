@@ -120,7 +120,7 @@ def _part(fill: Number) -> float:
     part = number("fill", fill)
     if 2.0 <= part <= 100.0:
         percent = f'for percent write {part / 100.0:g} or "{part:g} %"'
-        raise RimrollError(f"fill must be between 0 and 1, got {part:g}: {percent}")
+        raise RimrollError(field="fill", value=part, bound="between 0 and 1", hint=f": {percent}")
     return part
 
 

@@ -134,7 +134,7 @@ class Body:
         names = list(bodies) if isinstance(bodies, Mapping) else None
         each = list(bodies.values() if isinstance(bodies, Mapping) else bodies)
         if not each:
-            raise RimrollError("bodies must be one or more, got none")
+            raise RimrollError("must be one or more, got none", "bodies")
         for place, body in enumerate(each):
             one_body(body, element("bodies", [place]))
         columns = [np.array(column) for column in zip(*map(_numbers, each), strict=True)]
@@ -183,8 +183,9 @@ def one_body(body: Any, field: str = "body") -> Body:
     assert isinstance(body, Body)
     if body.shape:
         raise RimrollError(
-            f"{field} must be a single body, got bodies of shape {body.shape}: rimroll.ensemble and"
-            " rimroll.exact_turn take many"
+            f"must be a single body, got bodies of shape {body.shape}: rimroll.ensemble and"
+            " rimroll.exact_turn take many",
+            field,
         )
     return body
 
@@ -216,8 +217,8 @@ def _check_each(body: Body) -> None:
     given = {field.name: getattr(body, field.name) for field in fields(body)}
     grid = Grid.over(given)
     if 0 in grid.shape:
-        raise RimrollError("bodies must be one or more, got none")
+        raise RimrollError("must be one or more, got none", "bodies")
     bad = _core.first_bad_body(Bodies.of(body, grid))
     if bad is not None:
-        row, message = bad
-        raise RimrollError(grid.placed(message, given, row))
+        row, error = bad
+        raise grid.placed(error, given, row)

@@ -105,17 +105,20 @@ def decay(motion: SteadyMotion, law: Law, *, until: Number = 1e-4) -> Decay:
     smallest = number("until", until, "rad")
     if not (isinstance(law, NoSlip) and isinstance(motion.law, NoSlip) and law.resistances):
         raise RimrollError(
-            "law must be rimroll.NoSlip with a resistance added, and motion one without slip"
+            "must be rimroll.NoSlip with a resistance added, and motion one without slip", "law"
         )
     if any(isinstance(resistance, PivotingFriction) for resistance in law.resistances):
         raise RimrollError(
-            "law must be without pivoting friction, which stops the turning about the vertical and"
-            " then takes nothing"
+            "must be without pivoting friction, which stops the turning about the vertical"
+            " and then takes nothing",
+            "law",
         )
     if not motion.tilt < 0.5 * math.pi:
         raise RimrollError(f"the tilt of motion must be below pi/2, got {motion.tilt:.6g} rad")
     if not 0.0 < smallest < motion.tilt:
-        raise RimrollError(f"until must be inside (0, {motion.tilt:.6g} rad), got {smallest} rad")
+        raise RimrollError(
+            field="until", value=smallest, bound=f"inside (0, {motion.tilt:.6g} rad)", unit="rad"
+        )
     return _integrated(_SlowMotion(motion.body, law, motion.gravity), motion, smallest)
 
 

@@ -2,16 +2,105 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
+from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from typing import Self
+
     import numpy as np
     from numpy.typing import NDArray
 
 
 class RimrollError(ValueError):
-    """An invalid request; the message names the value and what is allowed."""
+    """An invalid request, in one sentence: ``str(error)``.
+
+    Where it is a single value that is invalid, the attributes say which and why. The others then
+    are as they are for other errors: None or empty.
+
+    >>> import rimroll as rr
+    >>> try:
+    ...     rr.State(tilt=[0.5, -0.1])
+    ... except rr.RimrollError as error:
+    ...     error.field, error.index, error.value, error.unit, error.bound
+    ('tilt', (1,), -0.1, 'rad', 'inside (0, pi)')
+
+    Attributes
+    ----------
+    field
+        The name of the value, such as ``tilt_rate``.
+    index
+        Its place in an array or in a list, ``(3,)``.
+    value, unit
+        What was given, in this unit.
+    bound
+        What it must be, in words: ``> 0``.
+    other
+        The field that the bound depends on and names, such as ``topple_tilt``.
+    name
+        What those who gave the value call it, if not ``field``: ``--tilt-rate``.
+    where
+        The place that has the value, such as a file and its table: ``my_cup.toml: [law]``.
+    """
+
+    def __init__(
+        self,
+        text: str = "",
+        field: str | None = None,
+        value: object = None,
+        bound: str = "",
+        unit: str = "",
+        index: Iterable[int] = (),
+        other: str | None = None,
+        hint: str = "",
+    ) -> None:
+        """An error that says ``text`` of a field, or of no field.
+
+        Without a text it says what the value must be and is, and ends with the ``hint``.
+        """
+        super().__init__(text, field, value, bound, unit, index, other, hint)
+        self.text = text or f"must be {bound}, got {in_words(value, unit)}{hint}"
+        self.field, self.value, self.bound, self.unit = field, value, bound, unit
+        self.index, self.other = tuple(index), other
+        self.name, self.where = field or "", ""
+
+    def __str__(self) -> str:
+        return " ".join(filter(None, (self.where, element(self.name, self.index), self.text)))
+
+    def at(self, index: Iterable[int]) -> Self:
+        """The same error about the element of an array with this index."""
+        return self._with(index=tuple(index))
+
+    def called(self, names: Mapping[str, str]) -> Self:
+        """The same error in the words of those who gave the values, by field."""
+        text = self.text
+        if self.other:
+            text = text.replace(f"{self.other} = ", f"{names.get(self.other, self.other)} = ")
+        return self._with(text=text, name=names.get(self.field or "", self.name))
+
+    def inside(self, where: str) -> Self:
+        """The same error about a value in a place, which contains the places named so far."""
+        return self._with(where=f"{where} {self.where}".rstrip())
+
+    def with_hint(self, hint: str) -> Self:
+        """The same error, whose sentence ends with a hint."""
+        return self._with(text=self.text + hint)
+
+    def _with(self, **attributes: object) -> Self:
+        kind = type(self)  # not copy.copy: what tblib makes of it shares its attributes
+        error = kind.__new__(kind, *self.args)
+        vars(error).update(vars(self) | attributes)
+        return error
+
+
+def in_words(value: object, unit: str = "") -> str:
+    """A value in a sentence, with its unit unless it is a pure number, ``""`` or ``"1"``."""
+    if isinstance(value, float):
+        words = f"{value:.15g}"
+    else:
+        words = str(value) if isinstance(value, Real) else repr(value)
+    return f"{words} {unit}".removesuffix(" 1").rstrip()
 
 
 def expect(field: str, value: object, kind: Any) -> None:
@@ -23,7 +112,7 @@ def expect(field: str, value: object, kind: Any) -> None:
         )
         name = getattr(value, "__name__", "something callable")
         given = f"{name} itself: call it" if callable(value) else repr(value)
-        raise RimrollError(f"{field} must be a {kinds}, got {given}")
+        raise RimrollError(f"must be a {kinds}, got {given}", field, value, f"a {kinds}")
 
 
 def hold(
@@ -36,16 +125,16 @@ def hold(
 ) -> None:
     """Raise ``RimrollError`` unless the bound holds for a number, or for each element of an array.
 
-    The message names the first invalid element, as in ``tilt[1] must be finite, got nan``. It ends
+    The error is about the first invalid element, as in ``tilt[1] must be finite, got nan``. It ends
     with the ``hint`` for that element.
     """
     if not holds.all():
         import numpy as np  # not before: whoever only reports errors needs none
 
-        index = tuple(np.argwhere(~holds)[0])
-        got = f"{values[index]} {unit}".removesuffix(" 1").rstrip()
-        advice = hint(float(values[index])) if hint else ""
-        raise RimrollError(f"{element(field, index)} must be {bound}, got {got}{advice}")
+        index = tuple(map(int, np.argwhere(~holds)[0]))
+        value = values[index].item()
+        more = hint(float(value)) if hint else ""
+        raise RimrollError("", field, value, bound, unit, index, hint=more)
 
 
 def element(field: str, index: Iterable[int]) -> str:
@@ -57,7 +146,7 @@ def element(field: str, index: Iterable[int]) -> str:
 def callback(field: str, value: object) -> None:
     """Raise ``RimrollError`` unless the value is None or can be called."""
     if value is not None and not callable(value):
-        raise RimrollError(f"{field} must be None or something to call, got {value!r}")
+        raise RimrollError("", field, value, "None or something to call")
 
 
 class NoNearCollision(RimrollError):
@@ -72,14 +161,17 @@ class NoNearCollision(RimrollError):
         is refused for another reason.
     """
 
-    def __init__(self, message: str, in_degrees: str, status: str | None) -> None:
-        super().__init__(message, in_degrees, status)
+    def __init__(self, message: str, in_degrees: str = "", status: str | None = None) -> None:
+        super().__init__(message)
+        self.args = (message, in_degrees, status)
         self.in_degrees = in_degrees
         self.status = status
 
-    def __str__(self) -> str:
-        return str(self.args[0])
-
 
 class UnitError(RimrollError):
-    """A quantity whose text has no number, an unknown unit, or a unit of another kind."""
+    """A quantity whose text has no number, an unknown unit, or a unit of another kind.
+
+    ``why`` says which of these.
+    """
+
+    why = ""

@@ -129,12 +129,18 @@ def exact_turn(
     """
     if not conserves_energy(law):
         raise RimrollError(
-            "law must be NoSlip, Frictionless or InPlace without resistances, under which turns are"
-            f" integrals, got {law!r}: rimroll.ensemble follows falls under any law"
+            field="law",
+            value=law,
+            bound=(
+                "NoSlip, Frictionless or InPlace without resistances, under which turns"
+                " are integrals"
+            ),
+            hint=": rimroll.ensemble follows falls under any law",
         )
     if jacobian and isinstance(law, InPlace):
         raise RimrollError(
-            "jacobian must be False under InPlace, under which the spin rate of a start is not free"
+            "must be False under InPlace, under which the spin rate of a start is not free",
+            "jacobian",
         )
     expect("body", body, Body)
     expect("start", start, State)

@@ -108,12 +108,13 @@ def fit_exponent(
     inside = (moments >= first) & (moments <= last)
     if inside.sum() < MIN_SAMPLES:
         raise RimrollError(
-            f"window must contain at least {MIN_SAMPLES} points, got {inside.sum()} between"
-            f" {first:.6g} and {last:.6g} s"
+            f"must contain at least {MIN_SAMPLES} points, got {inside.sum()} between"
+            f" {first:.6g} and {last:.6g} s",
+            "window",
         )
     level = number("confidence", confidence)
     if not 0.0 < level < 1.0:
-        raise RimrollError(f"confidence must be between 0 and 1, got {level}")
+        raise RimrollError(field="confidence", value=level, bound="between 0 and 1")
     return _Fit(moments[inside], np.log(positive[inside])).intervals(level)
 
 
@@ -131,7 +132,7 @@ def _curve(t: Values, curve: Values) -> tuple[Array, Array]:
 
 def _window(window: tuple[Number, Number]) -> tuple[float, float]:
     if not isinstance(window, tuple | list) or len(window) != 2:
-        raise RimrollError(f"window must be a first and a last time, got {window!r}")
+        raise RimrollError(field="window", value=window, bound="a first and a last time")
     return number("window", window[0], "s"), number("window", window[1], "s")
 
 

@@ -66,7 +66,7 @@ class Falls:
         if isinstance(falls, Falls):
             return falls
         if not hasattr(falls, "data_vars") or "outcome" not in falls.data_vars:
-            raise RimrollError("falls must be a dataset of rimroll.ensemble: it has no outcome")
+            raise RimrollError("must be a dataset of rimroll.ensemble: it has no outcome", "falls")
         axes = {str(name): _column(falls[name]) for name in falls["outcome"].dims}
         columns = {
             str(name): _column(column)

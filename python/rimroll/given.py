@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rimroll.errors import RimrollError, UnitError, element
+from rimroll.errors import RimrollError, UnitError
 from rimroll.grid import is_labelled
 from rimroll.units import factor_of, mismatch, quantity, tidy
 
@@ -65,15 +65,14 @@ def number(field: str, value: object, unit: str = "1") -> float:
             return float(bare)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
         pass
-    raise RimrollError(f"{field} must be a single number, got {value!r}")
+    raise RimrollError(field=field, value=value, bound="a single number")
 
 
 def positive(field: str, value: object, unit: str = "1") -> float:
     """A number as :func:`number` reads it; ``RimrollError`` unless it is > 0 and finite."""
     read = number(field, value, unit)
     if not 0.0 < read < math.inf:
-        got = f"{read} {unit}".removesuffix(" 1")
-        raise RimrollError(f"{field} must be > 0 and finite, got {got}")
+        raise RimrollError(field=field, value=read, bound="> 0 and finite", unit=unit)
     return read
 
 
@@ -99,9 +98,9 @@ def numbers(field: str, value: object, unit: str = "1") -> NDArray[np.float64]:
         try:  # beyond 64 bits
             array = array.astype(np.float64)
         except OverflowError:
-            raise RimrollError(f"{field} must be below 1.8e308, got a larger integer") from None
+            raise RimrollError("must be below 1.8e308, got a larger integer", field) from None
     if array.dtype.kind not in "iuf":
-        raise RimrollError(f"{field} must be a number or an array of numbers, got {value!r}")
+        raise RimrollError(field=field, value=value, bound="a number or an array of numbers")
     array = array.astype(np.float64)
     array.flags.writeable = False
     return array
@@ -131,9 +130,9 @@ def whole_number(field: str, value: object) -> int:
     """A count from 1 to below 2⁵³ as an int; ``RimrollError`` for all else, also for a text."""
     count = math.nan if isinstance(value, str) else number(field, value)
     if count.is_integer() and count >= 2**53:
-        raise RimrollError(f"{field} must be below 2^53 = {2**53}, got {value!r}")
+        raise RimrollError(field=field, value=value, bound=f"below 2^53 = {2**53}")
     if not (count.is_integer() and count >= 1):
-        raise RimrollError(f"{field} must be a whole number >= 1, got {value!r}")
+        raise RimrollError(field=field, value=value, bound="a whole number >= 1")
     return int(count)
 
 
@@ -144,7 +143,7 @@ def random_seed(value: object) -> int:
     except TypeError:
         seed = -1
     if not 0 <= seed < 2**63:
-        raise RimrollError(f"seed must be a whole number >= 0 and below 2^63, got {value!r}")
+        raise RimrollError(field="seed", value=value, bound="a whole number >= 0 and below 2^63")
     return seed
 
 
@@ -152,7 +151,7 @@ def thread_count(threads: object) -> int:
     """A number of threads; 0, which stands for as many as there are processors, for None."""
     count = 0 if threads is None else whole_number("threads", threads)
     if count > MAX_THREADS:
-        raise RimrollError(f"threads must be at most {MAX_THREADS}, got {count}")
+        raise RimrollError(field="threads", value=count, bound=f"at most {MAX_THREADS}")
     return count
 
 
@@ -166,7 +165,7 @@ def without_unit(field: str, value: Any, unit: str) -> object:
         return value
     _expect_unmasked(field, value)
     if isinstance(value, list | tuple):
-        return [_item(element(field, (i,)), item, unit) for i, item in enumerate(value)]
+        return [_item(field, i, item, unit) for i, item in enumerate(value)]
     units = _units(value)
     if units is not None and (hasattr(value, "to") or not isinstance(units, str)):
         return _converted(field, value, units, unit)
@@ -202,13 +201,16 @@ def _expect_unconverted(field: str, value: xr.DataArray, units: str, factor: flo
 def _expect_unmasked(field: str, value: Any) -> None:
     """Refuse missing data, which would be computed with as if they were there."""
     if np.ma.is_masked(value):
-        raise RimrollError(f"{field} must have no masked elements, got {value!r}")
+        raise RimrollError(f"must have no masked elements, got {value!r}", field, value)
 
 
-def _item(field: str, value: object, unit: str) -> object:
-    return (
-        quantity(value, unit, field) if isinstance(value, str) else without_unit(field, value, unit)
-    )
+def _item(field: str, place: int, value: object, unit: str) -> object:
+    try:
+        if isinstance(value, str):
+            return quantity(value, unit, field)
+        return without_unit(field, value, unit)
+    except RimrollError as error:
+        raise error.at((place, *error.index)) from None
 
 
 def _units(value: object) -> Any:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeGuard
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.errors import RimrollError, element
+from rimroll.errors import RimrollError
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -125,16 +125,16 @@ class Grid:
         flat = int(np.reshape(place, -1)[row])
         return tuple(map(int, np.unravel_index(flat, np.shape(value)))) if np.ndim(value) else ()
 
-    def placed(self, message: str, given: Mapping[str, Any], row: int) -> str:
-        """A message about a row, ``height must be``, with the element: ``height[3] must be``.
+    def placed(self, error: RimrollError, given: Mapping[str, Any], row: int) -> RimrollError:
+        """An error about a row, ``height must be``, with the element: ``height[3] must be``.
 
         ``given`` are the values by name, as they were given.
         """
-        name, rest = message.split(" ", 1)
-        index = self.index_in(given[name], row) if name in given else ()
-        if index or not self.shape:
-            return f"{element(name, index)} {rest}"
-        return f"{message}, in row {list(self.index(row))}"
+        field = error.field or ""
+        index = self.index_in(given[field], row) if field in given else ()
+        if index or self.size == 1:
+            return error.at(index)
+        return error.inside(f"at {list(self.index(row))}:")
 
     def _spread(self, value: Any) -> NDArray[Any]:
         if is_labelled(value):
@@ -204,11 +204,13 @@ def axis(name: str, values: Any, units: str | None = None) -> xr.DataArray:
     array = np.asarray(values) if not _carry_units(values) else np.asarray(None)
     if array.dtype.kind not in "iuf":
         raise RimrollError(
-            f"values must be numbers, or one quantity of them, got {values!r}; for angles in"
-            f' degrees write rr.axis("{name}", [15, 20], units="deg")'
+            field="values",
+            value=values,
+            bound="numbers, or one quantity of them",
+            hint=f'; for angles in degrees write rr.axis("{name}", [15, 20], units="deg")',
         )
     if array.ndim != 1:
-        raise RimrollError(f"values must be a flat array, got shape {array.shape}")
+        raise RimrollError(f"must be a flat array, got shape {array.shape}", "values")
     attrs = {} if units is None else {"units": units}
     labels = xr.DataArray(array, dims=name, attrs=attrs)
     return xr.DataArray(array, dims=name, coords={name: labels}, attrs=attrs)

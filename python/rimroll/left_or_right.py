@@ -219,7 +219,7 @@ def _flat(name: str, values: Values) -> Array:
     """Rates (n,), rad/s."""
     array = np.atleast_1d(numbers(name, values, "rad/s"))
     if array.ndim > 1 or not array.size:
-        raise RimrollError(f"{name} must be a flat array of numbers, got {values!r}")
+        raise RimrollError(field=name, value=values, bound="a flat array of numbers")
     hold(name, array, np.isfinite(array), "finite")
     return array
 
@@ -230,7 +230,8 @@ def _rising(name: str, values: Values) -> Array:
     if falling.size:
         k = falling[0]
         raise RimrollError(
-            f"{name} must rise from one to the next, got {name}[{k + 1}] = {array[k + 1]} after"
-            f" {array[k]} rad/s"
+            f"must rise from one to the next, got {name}[{k + 1}] = {array[k + 1]} after"
+            f" {array[k]} rad/s",
+            name,
         )
     return array

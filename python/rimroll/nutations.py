@@ -190,8 +190,9 @@ def resonant_start(
     if ends[0] * ends[1] > 0.0:
         advances = [(end + 2.0 * math.pi * revolutions) / (2.0 * math.pi) for end in ends]
         raise RimrollError(
-            f"between must enclose a resonance: the yaw advances by {advances[0]:.4g} and"
-            f" {advances[1]:.4g} revolutions there, both on one side of {revolutions}"
+            f"must enclose a resonance: the yaw advances by {advances[0]:.4g} and"
+            f" {advances[1]:.4g} revolutions there, both on one side of {revolutions}",
+            "between",
         )
     return changed(float(brentq(excess, low, high, xtol=1e-14, rtol=1e-14)))
 

@@ -139,9 +139,11 @@ def reduced_motion(
     release, length = single(start), positive("duration", duration, "s")
     g = positive("gravity", gravity, "m/s^2")
     if not 0 <= number("order", order) <= TERMS or int(order) != order:
-        raise RimrollError(f"order must be a whole number from 0 to {TERMS}, got {order}")
+        raise RimrollError(field="order", value=order, bound=f"a whole number from 0 to {TERMS}")
     if not release.tilt <= LARGEST_TILT:
-        raise RimrollError(f"tilt must be at most {LARGEST_TILT} rad, got {release.tilt:.6g} rad")
+        raise RimrollError(
+            field="tilt", value=release.tilt, bound=f"at most {LARGEST_TILT} rad", unit="rad"
+        )
     if release.yaw_rate == release.spin_rate == 0.0:
         raise RimrollError("the body comes down flat: yaw_rate or spin_rate must not be 0")
     return ReducedMotion(body, release, length, int(order), g)

@@ -68,18 +68,13 @@ class Rows:
         )
 
     def placed(
-        self, refusal: RimrollError, law: str, gravity: float, topple_tilt: float | None
+        self, error: RimrollError, law: str, gravity: float, topple_tilt: float | None
     ) -> RimrollError:
         """An error of the core under a law, with the element of the array: ``tilt[3]``."""
-        name, _ = str(refusal).split(" ", 1)
-        if name not in self.given:
-            return refusal
+        if error.field not in self.given:
+            return error
         row = _core.first_refused(self.bodies, self.starts, law, gravity, topple_tilt)
-        return (
-            refusal
-            if row is None
-            else RimrollError(self.grid.placed(str(refusal), self.given, row))
-        )
+        return error if row is None else self.grid.placed(error, self.given, row)
 
 
 def elementwise(function: Callable[..., float], *things: Any) -> Any:
@@ -95,8 +90,8 @@ def elementwise(function: Callable[..., float], *things: Any) -> Any:
     for row, arguments in enumerate(zip(*(_each(thing, grid) for thing in things), strict=False)):
         try:
             results[row] = function(*arguments)
-        except RimrollError as refusal:
-            raise RimrollError(f"at {list(grid.index(row))}: {refusal}") from None
+        except RimrollError as error:
+            raise error.inside(f"at {list(grid.index(row))}:") from None
     return grid.laid_out(results)
 
 

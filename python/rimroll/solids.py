@@ -101,7 +101,7 @@ def box(
     sides = {name: number(name, size, "m") for name, size in given.items()}
     for name, side in sides.items():
         if not 0.0 < side < math.inf:
-            raise RimrollError(f"{name} must be > 0 and finite, got {side:g} m")
+            raise RimrollError(field=name, value=side, bound="> 0 and finite", unit="m")
     # A cylinder with the same moments, 2 r² = (w² + t²)/3.
     return cylinder(mass, math.hypot(*sides.values()) / math.sqrt(6.0), length, base)
 
@@ -124,5 +124,7 @@ def filling(
     read = {name: number(name, size, "m") for name, size in sizes.items()}
     lid = math.inf if length is None else number("length", length, "m")
     if not lid >= read["depth"]:
-        raise RimrollError(f"length must be at least the depth, {read['depth']:g} m, got {lid:g} m")
+        raise RimrollError(
+            field="length", value=lid, bound=f"at least the depth, {read['depth']:g} m", unit="m"
+        )
     return Filling(**vars(solid), **read, length=lid)

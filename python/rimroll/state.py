@@ -214,7 +214,7 @@ def times(t: Values) -> NDArray[np.float64]:
     """Times (s) as an array () or (n,); raises ``RimrollError`` for anything else."""
     array = numbers("t", t, "s")
     if array.ndim > 1:
-        raise RimrollError(f"t must be a number or a flat array, got shape {array.shape}")
+        raise RimrollError(f"must be a number or a flat array, got shape {array.shape}", "t")
     return array
 
 

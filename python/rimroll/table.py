@@ -58,6 +58,13 @@ class Row:
     cells: list[str]
 
 
+class UnevenRow(RimrollError):
+    """A row of another width than the first one."""
+
+    line = 0
+    """The line of the file, from 1."""
+
+
 @dataclass(frozen=True)
 class Table:
     """The rows of a file, all of one width, and what messages call the file."""
@@ -117,10 +124,10 @@ def table_of(name: str, text: str, *, has_columns: bool = False) -> Table:
     width = len(rows[0].cells)
     for row in rows:
         if len(row.cells) != width:
-            raise RimrollError(
-                f"{name}, line {row.line}: {len(row.cells)} columns where line {rows[0].line} has "
-                f"{width}"
-            )
+            what = f"{len(row.cells)} columns where line {rows[0].line} has {width}"
+            uneven = UnevenRow(f"{name}, line {row.line}: {what}")
+            uneven.line = row.line
+            raise uneven
     titles = _titles(rows[0].cells)
     below = rows[1:] if titles else rows
     inside = range(below[0].line, below[-1].line) if below else range(0)
@@ -135,10 +142,11 @@ def source_name(source: Source) -> str:
     return "standard input" if getattr(source, "name", None) == "<stdin>" else "the stream"
 
 
-def text_of(name: str, source: Source) -> str:
+def text_of(name: str, source: Source, if_large: str = "", if_binary: str = "") -> str:
     """The text of a file in UTF-8, UTF-16 with a byte order mark, or Windows' code page 1252.
 
-    Raises ``RimrollError`` for a file that cannot be read, is too large or no text.
+    Raises ``RimrollError`` for a file that cannot be read, and for one that is too large or no
+    text, with a hint for either.
     """
     try:
         if isinstance(source, str | os.PathLike):
@@ -150,7 +158,7 @@ def text_of(name: str, source: Source) -> str:
         why = getattr(error, "strerror", None) or error
         raise RimrollError(f"cannot read {name}: {why}") from None
     if len(read) > MOST_BYTES:
-        raise RimrollError(f"{name} is larger than {MOST_BYTES // 1_000_000} MB")
+        raise RimrollError(f"{name} is larger than {MOST_BYTES // 1_000_000} MB{if_large}")
     if read[:4] in _EXCEL:
         raise RimrollError(f"{name} is {_EXCEL[read[:4]]} export it as CSV")
     marked = next((known for mark, known in _ENCODINGS.items() if read.startswith(mark)), None)
@@ -162,7 +170,8 @@ def text_of(name: str, source: Source) -> str:
         text = text.rstrip(f"{_END_OF_FILE}\x00 \r\n") + "\n" if _END_OF_FILE in text else text
         if not _NOT_TEXT.search(text):
             return text
-    raise RimrollError(f"{name} is no text file in UTF-8, UTF-16 or Windows' code page 1252")
+    encodings = "UTF-8, UTF-16 or Windows' code page 1252"
+    raise RimrollError(f"{name} is no text file in {encodings}{if_binary}")
 
 
 def _below_preamble(lines: list[tuple[int, str]], separator: str | None) -> list[tuple[int, str]]:

@@ -108,7 +108,7 @@ def columns_given(
     for what, title in (columns or {}).items():
         if what not in names:
             known = ", ".join(f'"{name}"' for name in names)
-            raise RimrollError(f"columns must be for {known}, got {what!r}")
+            raise RimrollError(field="columns", value=what, bound=f"for {known}")
         text = str(title).strip()
         found = [i for i, one in enumerate(table.titles) if one.strip().lower() == text.lower()]
         if not found and text.isdecimal() and 1 <= int(text) <= table.width:
@@ -119,7 +119,7 @@ def columns_given(
             raise RimrollError(f'{table.name} has {several} "{text}"; it has {have}')
         places[what] = found[0]
     if len(set(places.values())) < len(places):
-        raise RimrollError(f"columns must be different ones, got {dict(columns or {})}")
+        raise RimrollError(field="columns", value=dict(columns or {}), bound="different ones")
     return places
 
 
@@ -187,7 +187,7 @@ def seconds_of(where: str, title: Title, time_unit: str | None) -> tuple[float, 
 
 def _unit_of_time(unit: str, field: str) -> float:
     if not isinstance(unit, str):
-        raise UnitError(f'{field} must be a unit of time such as "ms", got {unit!r}')
+        raise UnitError(field=field, value=unit, bound='a unit of time such as "ms"')
     known = SECONDS.get(unit.strip().lower())
     return known if known is not None else factor_of(unit, "s", field, unit)
 

@@ -112,7 +112,7 @@ def tilt_angle(value: object, name: str) -> float:
     angle = quantity(value, "rad", name)
     if abs(angle) >= math.pi:
         if _has_unit(value):
-            raise UnitError(f"{name} must be between -180 and 180 deg, got {value}")
+            raise UnitError(f"must be between -180 and 180 deg, got {value}", name, value)
         raise UnitError(
             f"{name}: {value} is read as radians, and a tilt is less than pi; "
             f"for degrees write {str(value).strip()}deg"
@@ -310,9 +310,11 @@ def _refusal(name: str, unit: str, value: object, why: str) -> UnitError:
     kind, example = _kind(unit)
     plain = "" if unit == "1" else f" (plain numbers are in {unit})"
     got = f'"{value}"' if isinstance(value, str) else repr(value)
-    if isinstance(value, str) and not value.strip():
-        return UnitError(f'{name} must be {kind} such as "{example}"{plain}, got {why}')
-    return UnitError(f'{name} must be {kind} such as "{example}"{plain}, got {got}: {why}')
+    bound = f'{kind} such as "{example}"{plain}'
+    got = why if isinstance(value, str) and not value.strip() else f"{got}: {why}"
+    error = UnitError(f"must be {bound}, got {got}", name, value, bound)
+    error.why = why
+    return error
 
 
 @cache

@@ -2,16 +2,20 @@
 
 import errno
 import os
+import pickle
 import subprocess
 import sys
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import rimroll as rr
 from given.ctrl_c import interrupt_when, needs_signals, running
 from rimroll import cli
 from rimroll.cli import files
+from rimroll.errors import UnitError
 
 CAN = rr.bodies.can_2007()
 NUMBERS = {
@@ -129,6 +133,97 @@ def test_errors_about_unknown_bodies_and_laws_list_the_known_ones():
         rr.laws.by_name("sticky")
 
 
+REFUSED = {
+    "a body": (lambda: rr.Body(**{**NUMBERS, "mass": -0.07}), "mass", -0.07, "> 0", "kg", ()),
+    "one of many": (
+        lambda: rr.State(tilt=[0.5, -0.1], yaw_rate=0.1),
+        *("tilt", -0.1, "inside (0, pi)", "rad", (1,)),
+    ),
+    "a body of a grid": (
+        lambda: rr.Body(**{**NUMBERS, "height": rr.axis("h", [0.1, -1.0]), "radius": 0.02}),
+        *("height", -1.0, ">= 0", "m", (1,)),
+    ),
+    "a law": (
+        lambda: rr.Coulomb([0.1, 0.2, -0.3]),
+        *("friction", -0.3, "between 0 and 1e6", "", (2,)),
+    ),
+    "an entry of a table": (
+        lambda: rr.Tabulated([0.0, 1.0, 2.0], [0.1, -0.2, 0.3]),
+        *("frictions", -0.2, "between 0 and 1e6", "", (1,)),
+    ),
+    "a length": (
+        lambda: rr.Tabulated([0.0], [0.1]),
+        *("speeds", 1, "at least 2 entries", "", ()),
+    ),
+    "an option": (
+        lambda: rr.simulate(CAN, rr.State(tilt=0.5), rr.NoSlip(), rtol=1.0),
+        *("rtol", 1.0, "between 1e-14 and 1e-3", "", ()),
+    ),
+    "a start of many": (
+        lambda: rr.ensemble(CAN, rr.State(tilt=[0.1, 0.3]), rr.NoSlip(), topple_tilt=0.2),
+        *("tilt", 0.3, "below topple_tilt = 0.2 rad", "rad", (1,)),
+    ),
+    "a closed form": (
+        lambda: rr.lift_off_rate(CAN, [9.8, -9.8]),
+        *("gravity", -9.8, "> 0", "m/s2", ()),
+    ),
+    "a count": (
+        lambda: rr.topple(CAN, rr.NoSlip(), 2, threads=5000),
+        *("threads", 5000, "at most 1024", "", ()),
+    ),
+    "a text": (
+        lambda: rr.State(tilt="3 cm"),
+        *("tilt", "3 cm", 'an angle such as "30 deg" (plain numbers are in rad)', "", ()),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_an_error_about_a_value_holds_its_parts(name):
+    call, *parts = REFUSED[name]
+    with pytest.raises(rr.RimrollError) as refusal:
+        call()
+    error = refusal.value
+    assert [error.field, error.value, error.bound, error.unit, error.index] == parts
+    assert f"{error.field}{list(error.index) or ''} must " in str(error)
+    assert error.bound in str(error)
+
+
+@given(
+    name=st.sampled_from(sorted(REFUSED)),
+    index=st.lists(st.integers(0, 9), max_size=2),
+    word=st.sampled_from(["--word", "friction in the link"]),
+    places=st.lists(st.sampled_from(["my_cup.toml:", "[law]", "row 7:"]), max_size=3),
+)
+def test_an_error_comes_out_of_another_process_as_it_was(name, index, word, places):
+    with pytest.raises(rr.RimrollError) as refusal:
+        REFUSED[name][0]()
+    error = refusal.value
+    renamed = error.at(index).called({error.field: word})
+    for place in reversed(places):
+        renamed = renamed.inside(place)
+    begin = "".join(f"{place} " for place in (*places, error.where) if place)
+    assert str(renamed).startswith(f"{begin}{word}{index or ''} must ")
+    for one in (error, renamed):
+        other = pickle.loads(pickle.dumps(one))
+        assert type(other) is type(one)
+        assert (str(other), vars(other)) == (str(one), vars(one))
+
+
+def test_an_error_of_a_start_without_near_collision_is_pickled_with_its_ending():
+    with pytest.raises(rr.errors.NoNearCollision) as refusal:
+        rr.arrival(CAN, rr.State(tilt=1.2, tilt_rate=9.0), rr.NoSlip())
+    error = pickle.loads(pickle.dumps(refusal.value)).inside("row 3:")
+    assert str(error) == f"row 3: {refusal.value}"
+    assert (error.status, error.in_degrees) == (refusal.value.status, refusal.value.in_degrees)
+
+
+def test_an_error_about_a_unit_says_what_is_wrong_with_it():
+    with pytest.raises(UnitError) as refusal:
+        rr.State(tilt="3 cm")
+    assert pickle.loads(pickle.dumps(refusal.value)).why == '"cm" does not measure an angle'
+
+
 # The command line
 
 
@@ -215,7 +310,10 @@ def body(**changed):
         ("turn --friction 0.1,0.2", "decimals follow a point"),
         ("turn --friction [0.1]", "it does not begin with a number"),
         ("turn --friction 30deg", '"deg" does not measure a pure number'),
-        ("turn --friction 0.3 --static-friction 0.2", "--static-friction must be between friction"),
+        (
+            "turn --friction 0.3 --static-friction 0.2",
+            "--static-friction must be between --friction = 0.3 and 1e6, got 0.2",
+        ),
         ("turn --friction 0.3 --restitution 2", "restitution must be between 0 and 1, got 2"),
         ("turn --viscous-coefficient -1", "--viscous-coefficient must be >= 0, got -1 N s/m"),
         ("turn --viscous-coefficient 3cm", '"cm" does not measure a viscous resistance'),
@@ -267,8 +365,8 @@ def body(**changed):
         ("simulate --tilt 30deg --duration inf", "not a finite number"),
         ("simulate --tilt 30deg --gravity 0", "--gravity must be > 0"),
         ("simulate --gravity -1", "--gravity must be > 0 and finite"),
-        ("turn --gravity -3", "--gravity must be > 0 and finite, got -3.0 m/s^2"),
-        ("turn --tilt 20deg --gravity -3", "--gravity must be > 0 and finite, got -3.0 m/s^2"),
+        ("turn --gravity -3", "--gravity must be > 0 and finite, got -3 m/s^2"),
+        ("turn --tilt 20deg --gravity -3", "--gravity must be > 0 and finite, got -3 m/s^2"),
         ("topple -n 0", "--number must be a whole number >= 1, got 0"),
         ("topple --tilt-spread -1", "--tilt-spread must be finite and >= 0"),
         ("simulate --tilt 30deg --rtol 1", "rtol must be between 1e-14 and 1e-3, got 1"),
@@ -316,8 +414,8 @@ def test_a_half_written_scenario_is_named_with_line_and_column(complaint, tmp_pa
 @pytest.mark.parametrize(
     ("command", "table", "says"),
     [
-        ("turn", 'gravity = "-3 m/s^2"', "can.toml: gravity must be > 0 and finite, got -3.0"),
-        ("turn --tilt 20deg", "gravity = -3", "can.toml: gravity must be > 0 and finite, got -3.0"),
+        ("turn", 'gravity = "-3 m/s^2"', "can.toml: gravity must be > 0 and finite, got -3"),
+        ("turn --tilt 20deg", "gravity = -3", "can.toml: gravity must be > 0 and finite, got -3"),
         ("simulate", 'duration = "-1 s"', "can.toml: duration must be > 0, got -1 s"),
         ("simulate --duration -2s", 'duration = "-1 s"', "--duration must be > 0, got -2 s"),
         ("simulate --gravity -3", 'duration = "-1 s"', "--gravity must be > 0 and finite, got -3"),
@@ -335,8 +433,8 @@ def test_a_value_is_blamed_on_the_file_or_on_the_option_that_gives_it(
 ):
     file = tmp_path / "can.toml"
     file.write_text(f'[body]\npreset = "can_2007"\n[simulation]\n{table}\n')
-    for given in ("can.toml", "--scenario can.toml"):
-        assert complaint(f"{command} {given}").startswith(says)
+    for file in ("can.toml", "--scenario can.toml"):
+        assert complaint(f"{command} {file}").startswith(says)
 
 
 @pytest.mark.parametrize(

@@ -20,12 +20,12 @@ def test_fields_of_a_state_may_be_arrays_of_one_shape():
 @pytest.mark.parametrize(
     ("fields", "complaint"),
     [
-        ({"tilt": 0.0}, "tilt must be inside (0, pi), got 0.0 rad"),
+        ({"tilt": 0.0}, "tilt must be inside (0, pi), got 0 rad"),
         ({"tilt": [0.5, 3.2]}, "tilt[1] must be inside (0, pi), got 3.2 rad"),
-        ({"tilt": 30}, 'got 30.0 rad: for degrees write np.radians(30) or "30 deg"'),
+        ({"tilt": 30}, 'got 30 rad: for degrees write np.radians(30) or "30 deg"'),
         (
             {"tilt": np.array([0.5, 30])},
-            "tilt[1] must be inside (0, pi), got 30.0 rad: for degrees",
+            "tilt[1] must be inside (0, pi), got 30 rad: for degrees",
         ),
         ({"tilt": 0.5, "yaw": np.nan}, "yaw must be finite, got nan"),
         ({"tilt": 0.5, "spin_rate": [0.0, -np.inf]}, "spin_rate[1] must be finite, got -inf"),

@@ -314,7 +314,7 @@ def test_units_are_converted_in_arrays_of_bodies_too():
         ),
         (
             lambda: replace(CAN, mass=[1.0, 2.0], height=-1.0),
-            r"^height must be >= 0.* in row \[0\]",
+            r"^at \[0\]: height must be >= 0",
         ),
         (
             lambda: replace(CAN, mass=[1.0, 2.0], height=[1.0, 2.0, 3.0]),
@@ -324,7 +324,7 @@ def test_units_are_converted_in_arrays_of_bodies_too():
         (lambda: rr.Coulomb([0.1, -0.1]), r"^friction\[1\] must be between 0 and 1e6, got -0.1"),
         (
             lambda: rr.Coulomb([0.1, 0.3], 0.2),
-            r"^static must be between friction = 0.3 .* row \[1\]",
+            r"^at \[1\]: static must be between friction = 0.3",
         ),
         (
             lambda: rr.Coulomb([0.1, 0.3], [0.2, 0.2]),

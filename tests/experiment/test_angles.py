@@ -444,9 +444,9 @@ def test_stand_ins_have_the_means_and_spreads_of_the_summary(left, right):
     [
         ((3.7, 0.07, 1), "left needs at least 2 falls, got 1"),
         ((3.7, 0.07, 2.5), "left count must be a whole number"),
-        ((3.7, -0.07, 21), "left must be a mean and a spread >= 0, got 3.7, -0.07"),
-        ((np.nan, 0.07, 21), "left must be a mean and a spread >= 0, got nan"),
-        ((3.7, np.inf, 21), "left must be a mean and a spread >= 0, got 3.7, inf"),
+        ((3.7, -0.07, 21), r"left must be a mean and a spread >= 0, got \(3.7, -0.07\)"),
+        ((np.nan, 0.07, 21), r"left must be a mean and a spread >= 0, got \(nan, 0.07\)"),
+        ((3.7, np.inf, 21), r"left must be a mean and a spread >= 0, got \(3.7, inf\)"),
         (("3.7 m", 0.07, 21), "left mean must be an angle"),
         ((3.7, 0.07), "left must be a mean, a spread and a count"),
         (3.7, "left must be a mean, a spread and a count, got 3.7"),

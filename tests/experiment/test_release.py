@@ -212,12 +212,12 @@ def test_parameters_name_means_and_spreads():
     [
         ({"tilt": 0.0}, "tilt must be inside"),
         ({"tilt": 1.6}, "tilt must be inside"),
-        ({"tilt": (20, 2)}, r'got 20.0 rad: for degrees write np.radians\(20\) or "20 deg"$'),
-        ({"tilt": (0.3, -0.1)}, "tilt spread must be finite and >= 0"),
+        ({"tilt": (20, 2)}, r'got 20 rad: for degrees write np.radians\(20\) or "20 deg"$'),
+        ({"tilt": (0.3, -0.1)}, "tilt_spread must be finite and >= 0"),
         ({"tilt": (0.3, 0.1, 0.1)}, r"tilt must be \(mean, spread\) or a mean"),
         ({"tilt": "steep"}, "tilt must be an angle"),
         ({"tilt": 0.3, "twist": np.inf}, "twist must be finite"),
-        ({"tilt": 0.3, "sideways": (0.0, np.nan)}, "sideways spread must be finite"),
+        ({"tilt": 0.3, "sideways": (0.0, np.nan)}, "sideways_spread must be finite"),
         ({"tilt": 0.3, "friction_scale": 0.0}, "friction_scale must be > 0"),
     ],
 )

@@ -74,8 +74,8 @@ def test_a_lean_gives_the_friction_and_a_resistance(lean, capsys):
         (["--body", "can_2007"], "a path needs --marker"),
         (["--body", "can_2007", "--marker", "3 cm"], "--marker must be two lengths"),
         (["--body", "can_2007", "--marker", "3 cm,high"], "--marker must be a length"),
-        ([*MARKER, "--units", "cm"], "--units must be as in x=cm,y=cm, got cm"),
-        ([*MARKER, "--columns", "1,2,3"], "--columns must be as in t=1,x=2,y=3, got 1,2,3"),
+        ([*MARKER, "--units", "cm"], "--units must be as in x=cm,y=cm, got 'cm'"),
+        ([*MARKER, "--columns", "1,2,3"], "--columns must be as in t=1,x=2,y=3, got '1,2,3'"),
         ([*MARKER, "--error", "1 deg"], "--error must be a length"),
     ],
 )

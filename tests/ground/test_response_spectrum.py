@@ -93,7 +93,7 @@ def test_pseudo_spectra_have_units_and_differ_by_the_frequency():
 @pytest.mark.parametrize(
     ("periods", "damping", "message"),
     [
-        ([0.1, 0.0], 0.05, "periods[1] must be > 0 and finite, got 0.0 s"),
+        ([0.1, 0.0], 0.05, "periods[1] must be > 0 and finite, got 0 s"),
         ([[0.1]], 0.05, "periods must be a flat array, got shape (1, 1)"),
         ([], 0.05, "periods must be a flat array"),
         ([np.nan], 0.05, "periods[0] must be > 0 and finite, got nan s"),

@@ -69,7 +69,7 @@ def test_each_number_of_a_law_has_its_bounds(law, says):
 def test_a_film_needs_a_radius_a_viscosity_and_gravity(name, unit, value):
     with pytest.raises(rr.RimrollError) as refusal:
         rr.AirDrag.film(**{"radius": 0.05, name: value})
-    assert str(refusal.value) == f"{name} must be > 0 and finite, got {value} {unit}"
+    assert str(refusal.value) == f"{name} must be > 0 and finite, got {value:g} {unit}"
 
 
 def test_resistances_add_up_and_are_shown():

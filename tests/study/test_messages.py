@@ -180,7 +180,7 @@ def test_studies_of_falls(change, message):
         ),
         ({"ground": {"synthetic": 1}}, "[ground] lacks 'amplitude'"),
         ({"ground": {"record": "no.at2"}}, "no.at2"),
-        ({"axes": {"ground.scale": [1, -1]}}, "scale[1] must be between 1e-6 and 1e6, got -1.0"),
+        ({"axes": {"ground.scale": [1, -1]}}, "scale[1] must be between 1e-6 and 1e6, got -1"),
         ({"release": "flick"}, "has both [start] and [release]"),
         ({"start": {"standing": True, "tilt": 1}}, "a body that stands has no tilt"),
     ],

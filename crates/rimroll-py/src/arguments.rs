@@ -9,16 +9,31 @@ use std::collections::HashMap;
 pyo3::import_exception!(rimroll.errors, RimrollError);
 pyo3::import_exception!(rimroll.errors, NoNearCollision);
 
-/// The core's error as the Python package's own exception.
+/// The core's error as the Python package's own exception, with its data as the attributes.
 pub fn refusal(error: InvalidInput) -> PyErr {
+    let text = error.predicate();
     match error {
         InvalidInput::NoNearCollision { ref ending, .. } => {
             let status = ending.map(|ending| ending.status().name());
-            let texts = [AngleUnit::Radians, AngleUnit::Degrees].map(|unit| error.sentence(unit));
-            let [text, in_degrees] = texts;
-            NoNearCollision::new_err((text, in_degrees, status))
+            NoNearCollision::new_err((text, error.sentence(AngleUnit::Degrees), status))
         }
-        _ => RimrollError::new_err(error.to_string()),
+        InvalidInput::OutOfBounds {
+            field,
+            index,
+            value,
+            bound,
+            unit,
+            other,
+        } => {
+            let index: Vec<usize> = index.into_iter().collect();
+            RimrollError::new_err((text, field, value, bound, unit, index, other))
+        }
+        InvalidInput::WrongLength {
+            field,
+            bound,
+            count,
+        } => RimrollError::new_err((text, field, count, bound)),
+        _ => RimrollError::new_err(text),
     }
 }
 

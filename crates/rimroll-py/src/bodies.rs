@@ -32,9 +32,9 @@ pub fn check_body(body: BodyArgument) -> PyResult<()> {
 
 /// The index of the first invalid body and its error, if there is one.
 #[pyfunction]
-pub fn first_bad_body(bodies: BodiesArgument<'_>) -> PyResult<Option<(usize, String)>> {
+pub fn first_bad_body(bodies: BodiesArgument<'_>) -> PyResult<Option<(usize, PyErr)>> {
     let mut bad = bodies.each()?.enumerate();
-    Ok(bad.find_map(|(row, body)| body.err().map(|error| (row, error.to_string()))))
+    Ok(bad.find_map(|(row, body)| body.err().map(|error| (row, refusal(error)))))
 }
 
 #[pyfunction]

@@ -46,9 +46,9 @@ pub fn friction_at<'py>(
 pub fn first_bad_contact_law(
     contact_law: ContactLawArgument,
     varied: VariedArgument<'_>,
-) -> PyResult<Option<(usize, String)>> {
+) -> PyResult<Option<(usize, PyErr)>> {
     let mut each = contact_law.varied(&varied)?.enumerate();
-    Ok(each.find_map(|(row, contact_law)| contact_law.err().map(|error| (row, error.to_string()))))
+    Ok(each.find_map(|(row, contact_law)| contact_law.err().map(|error| (row, refusal(error)))))
 }
 
 #[pyfunction]

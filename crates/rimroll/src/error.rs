@@ -9,42 +9,24 @@ use thiserror::Error;
 /// `unit` is empty for a pure number. The messages address the person who typed the value.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum InvalidInput {
-    /// A number that is not finite.
-    #[error("{field} must be a finite number, got {value}")]
-    NotFinite {
-        /// Its name in the API.
-        field: &'static str,
-        /// What was given.
-        value: f64,
-    },
-    /// A number outside its bound, such as a negative mass.
-    #[error("{field} must be {bound}, got {}", with_unit(*value, unit))]
+    /// A number, or an entry of a table, outside its bound, such as a negative mass.
+    #[error("{field}{} {}", place(*index), self.predicate())]
     OutOfBounds {
-        /// Its name in the API.
+        /// Its name in the API, or that of its table.
         field: &'static str,
+        /// The entry's place in the table, from 0.
+        index: Option<usize>,
         /// What was given.
         value: f64,
         /// What it must be, in words.
         bound: String,
         /// Its unit.
         unit: &'static str,
-    },
-    /// An entry of a table outside its bound.
-    #[error("{field}[{index}] must be {bound}, got {}", with_unit(*value, unit))]
-    EntryOutOfBounds {
-        /// The table's name in the API.
-        field: &'static str,
-        /// The entry's place in it, from 0.
-        index: usize,
-        /// What was given.
-        value: f64,
-        /// What it must be, in words.
-        bound: String,
-        /// Its unit.
-        unit: &'static str,
+        /// The field whose value the bound depends on and names, if there is one.
+        other: Option<&'static str>,
     },
     /// A table with too few entries, or with a different number of entries than its companion.
-    #[error("{field} must have {bound}, got {count}")]
+    #[error("{field} {}", self.predicate())]
     WrongLength {
         /// The table's name in the API.
         field: &'static str,
@@ -52,18 +34,6 @@ pub enum InvalidInput {
         bound: String,
         /// The number of entries given.
         count: usize,
-    },
-    /// Two moments of inertia that no rigid body can have together.
-    #[error(
-        "axial_inertia must be at most 2 transverse_inertia = {} kg m2 (no rigid body has more), got {} kg m2",
-        formatted(2.0 * transverse_inertia),
-        formatted(*value)
-    )]
-    AxialInertiaTooLarge {
-        /// C, kg m².
-        value: f64,
-        /// A, kg m².
-        transverse_inertia: f64,
     },
     /// An unknown name.
     #[error("unknown {what} {name:?}: choose from {choices}")]
@@ -105,6 +75,27 @@ impl InvalidInput {
         }
     }
 
+    /// What is wrong, without the name of the value that the sentence begins with, if there is one.
+    pub fn predicate(&self) -> String {
+        match self {
+            InvalidInput::OutOfBounds {
+                value, bound, unit, ..
+            } => format!("must be {bound}, got {}", with_unit(*value, unit)),
+            InvalidInput::WrongLength { bound, count, .. } => {
+                format!("must have {bound}, got {count}")
+            }
+            other => other.to_string(),
+        }
+    }
+
+    /// The same error, whose bound depends on another field and names it.
+    pub(crate) fn beside(mut self, field: &'static str) -> InvalidInput {
+        if let InvalidInput::OutOfBounds { other, .. } = &mut self {
+            *other = Some(field);
+        }
+        self
+    }
+
     pub(crate) fn no_near_collision(why: &str, ending: Option<Ending>) -> InvalidInput {
         let why = why.to_owned();
         InvalidInput::NoNearCollision { why, ending }
@@ -116,6 +107,10 @@ fn no_near_collision(why: &str, ending: Option<&Ending>, unit: AngleUnit) -> Str
         format!(": {}", ending.sentence(unit))
     });
     format!("this start has no near-collision: {why}{ended}")
+}
+
+fn place(index: Option<usize>) -> String {
+    index.map_or(String::new(), |index| format!("[{index}]"))
 }
 
 fn with_unit(value: f64, unit: &str) -> String {
@@ -132,7 +127,7 @@ pub(crate) fn finite(field: &'static str, value: f64) -> Result<f64, InvalidInpu
     if value.is_finite() {
         Ok(value)
     } else {
-        Err(InvalidInput::NotFinite { field, value })
+        Err(out_of_bounds(field, value, "a finite number", ""))
     }
 }
 
@@ -147,12 +142,24 @@ pub(crate) fn bounded(
     if holds(finite(field, value)?) {
         Ok(value)
     } else {
-        Err(InvalidInput::OutOfBounds {
-            field,
-            value,
-            bound: bound.to_owned(),
-            unit,
-        })
+        Err(out_of_bounds(field, value, bound, unit))
+    }
+}
+
+/// The error of a number; `bound` is what it must be, in words.
+pub(crate) fn out_of_bounds(
+    field: &'static str,
+    value: f64,
+    bound: &str,
+    unit: &'static str,
+) -> InvalidInput {
+    InvalidInput::OutOfBounds {
+        field,
+        index: None,
+        value,
+        bound: bound.to_owned(),
+        unit,
+        other: None,
     }
 }
 
@@ -168,22 +175,24 @@ pub(crate) fn entry(
     if holds(value) {
         return Ok(());
     }
-    Err(InvalidInput::EntryOutOfBounds {
+    Err(InvalidInput::OutOfBounds {
         field,
-        index,
+        index: Some(index),
         value,
         bound: bound.to_owned(),
         unit,
+        other: None,
     })
 }
 
 /// Accepts moments of inertia with C ≤ 2A. Flat bodies have C = 2A, so a rounding error is allowed.
 pub(crate) fn at_most_twice(axial: f64, transverse: f64) -> Result<(), InvalidInput> {
     if axial > 2.0 * transverse * (1.0 + 4.0 * f64::EPSILON) {
-        return Err(InvalidInput::AxialInertiaTooLarge {
-            value: axial,
-            transverse_inertia: transverse,
-        });
+        let most = formatted(2.0 * transverse);
+        let bound = format!("at most 2 transverse_inertia = {most} kg m2 (no rigid body has more)");
+        return Err(
+            out_of_bounds("axial_inertia", axial, &bound, "kg m2").beside("transverse_inertia")
+        );
     }
     Ok(())
 }

@@ -4,7 +4,7 @@
 //! The moments of inertia are the textbook ones (e.g. Landau & Lifshitz, *Mechanics*, §32);
 //! [`Body::from_solids`](crate::Body::from_solids) combines them by the parallel-axis theorem.
 
-use crate::error::{InvalidInput, at_most_twice, finite, not_negative, positive};
+use crate::error::{InvalidInput, at_most_twice, finite, not_negative, out_of_bounds, positive};
 use core::f64::consts::PI;
 
 /// One part of a body: its mass and its moments of inertia about its own centre of mass (SI units).
@@ -59,12 +59,9 @@ impl Solid {
         positive("outer_radius", outer_radius, "m")?;
         not_negative("inner_radius", inner_radius, "m")?;
         if inner_radius > outer_radius {
-            return Err(InvalidInput::OutOfBounds {
-                field: "inner_radius",
-                value: inner_radius,
-                bound: format!("at most outer_radius = {outer_radius} m"),
-                unit: "m",
-            });
+            let bound = format!("at most outer_radius = {outer_radius} m");
+            let error = out_of_bounds("inner_radius", inner_radius, &bound, "m");
+            return Err(error.beside("outer_radius"));
         }
         not_negative("length", length, "m")?;
         finite("base", base)?;

@@ -47,15 +47,15 @@ def _check_value(name: str, value: str, allowed: dict[str, Any]) -> None:
     low, high, unit = allowed["min"], allowed["max"], allowed["unit"]
     number = _number(value, unit)
     if number is None:
-        raise RimrollError(f"{name} must be a number, got {value!r}")
+        raise RimrollError(field=name, value=value, bound="a number")
     if allowed["whole"] and not number.is_integer():
-        raise RimrollError(f"{name} must be a whole number, got {value!r}")
+        raise RimrollError(field=name, value=value, bound="a whole number")
     inside = low < number < high if allowed["open"] else low <= number <= high
     if not inside:
         bounds = "between" if allowed["open"] else "from"
         joint = "and" if allowed["open"] else "to"
         in_unit = f" ({unit})" if unit else ""
-        raise RimrollError(f"{name} must be {bounds} {low} {joint} {high}{in_unit}, got {value!r}")
+        raise RimrollError(field=name, value=value, bound=f"{bounds} {low} {joint} {high}{in_unit}")
 
 
 def _number(text: str, unit: str) -> float | None:

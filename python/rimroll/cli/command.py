@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import inspect
 import re
-from collections.abc import Callable, Container, Mapping
+from collections.abc import Callable, Container
 from dataclasses import fields, is_dataclass
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
@@ -17,11 +17,11 @@ from rimroll.errors import RimrollError
 
 OTHER_NAMES = {
     "n": "number",
-    "rolling_resistance_dry": "rolling_resistance",
-    "rolling_resistance_viscous": "rolling_viscous",
-    "air_drag_exponent": "air_exponent",
+    "rolling_resistance dry": "rolling_resistance",
+    "rolling_resistance viscous": "rolling_viscous",
+    "air_drag exponent": "air_exponent",
 }
-"""Options that errors of the Python interface call by another name, with ``_`` between words.
+"""Options that errors of the Python interface call by another name.
 
 The numbers of contact laws are not among them: their parameters name their options.
 """
@@ -97,12 +97,11 @@ class Command(Sparing, TyperCommand):
         try:
             return super().invoke(ctx)
         except RimrollError as error:
-            message = self._as_given(str(error), ctx)
-            if message == str(error):
+            if error.field is None or error.where:
                 raise
-            raise RimrollError(message) from None
+            raise self._as_given(error, ctx) from None
 
-    def _as_given(self, message: str, ctx: Any) -> str:
+    def _as_given(self, error: RimrollError, ctx: Any) -> RimrollError:
         """An error that names options as they are typed, or the scenario file that has the value.
 
         Names of options that were not typed stay as they are in files.
@@ -116,9 +115,10 @@ class Command(Sparing, TyperCommand):
         untyped = options.keys() | {name for name, option in others if option in options}
         untyped -= in_typed.keys()
         file = ctx.params.get("scenario") or ctx.params.get("body")
-        if _subject(message) in untyped and file is not None and is_file(str(file)):
-            return f"{file}: {as_typed(message, in_typed)}"
-        return as_typed(message, in_typed)
+        error = error.called(in_typed)
+        if error.field in untyped and file is not None and is_file(str(file)):
+            return error.inside(f"{file}:")
+        return error
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
         sections: dict[str, list[tuple[str, str]]] = {}
@@ -142,32 +142,6 @@ def _other_names() -> list[tuple[str, str]]:
 
     of_laws = (item for law in LAWS.values() for item in parameters_of(law).items())
     return [*OTHER_NAMES.items(), *((name, parameter.option) for name, parameter in of_laws)]
-
-
-_SUBJECT = re.compile(r"(\w+(?: \w+)?) must ")
-
-
-def _subject(message: str) -> str | None:
-    """The name of the value that an error is about, with ``_`` between words."""
-    found = _SUBJECT.match(message)
-    return found[1].replace(" ", "_") if found else None
-
-
-def as_typed(message: str, options: Mapping[str, str]) -> str:
-    """An error of the Python interface that names options as they are typed.
-
-    >>> as_typed("yaw_rate must be finite, got inf", {"yaw_rate": "--yaw-rate"})
-    '--yaw-rate must be finite, got inf'
-    """
-    found = _SUBJECT.match(message)
-    if found is None:
-        return message
-    rest = re.sub(
-        r"\b(\w+_\w+) = ",
-        lambda other: f"{options.get(other[1], other[1])} = ",
-        message[found.end(1) :],
-    )
-    return options.get(found[1].replace(" ", "_"), found[1]) + rest
 
 
 def _is_text(hint: Any) -> bool:

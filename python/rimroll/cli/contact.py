@@ -93,7 +93,7 @@ def _number(name: str, unit: str, text: str) -> float:
             hint = f"for this law write --law {word}"
         else:
             hint = f"the tables that have a name are {', '.join(surfaces.SURFACES)} (--surface)"
-        raise RimrollError(f"{error}; {hint}") from None
+        raise error.with_hint(f"; {hint}") from None
 
 
 def _is_float(word: str) -> bool:

@@ -165,10 +165,7 @@ def requested_shaking(options: GroundOptions, more: Sequence[Path], flat: str | 
     try:
         ground = description.made(_called)
     except RimrollError as error:
-        field = str(error).partition(" must ")[0]
-        if field not in OPTION_OF:
-            raise
-        raise RimrollError(OPTION_OF[field] + str(error).removeprefix(field)) from None
+        raise error.called(OPTION_OF) from None
     return Shaking(ground, given_flat(flat), partial(description.changed, called=_called))
 
 
@@ -194,6 +191,6 @@ def _three(text: str, unit: str, name: str) -> float | list[float]:
     """One quantity, or three between commas."""
     parts = text.split(",")
     if len(parts) not in (1, 3):
-        raise RimrollError(f"{name} must be one or three, x,y,z, got {text!r}")
+        raise RimrollError(field=name, value=text, bound="one or three, x,y,z")
     values = [quantity(part, unit, name) for part in parts]
     return values[0] if len(values) == 1 else values

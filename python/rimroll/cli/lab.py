@@ -65,7 +65,7 @@ def _check(setup: str, page: Path) -> None:
     try:
         check(setup, page)
     except RimrollError as error:
-        raise RimrollError(f"--setup: {error}") from None
+        raise error.inside("--setup:") from None
 
 
 def _server(page: Path, port: int) -> PageServer:

@@ -260,5 +260,5 @@ def pairs(option: str, text: str, example: str) -> dict[str, str]:
     """The names and values of an option such as ``t=1,x=2``."""
     parts = [part.partition("=") for part in text.split(",")]
     if not all(equals for _, equals, _ in parts):
-        raise RimrollError(f"{option} must be as in {example}, got {text}")
+        raise RimrollError(field=option, value=text, bound=f"as in {example}")
     return {name.strip(): value.strip() for name, _, value in parts}

@@ -13,12 +13,12 @@ def ends(text: str, unit: str, option: str, examples: str) -> tuple[float, float
     """
     first, dots, last = text.partition("..")
     if not dots:
-        raise RimrollError(f"{option} must be a range such as {examples}, got {text!r}")
+        raise RimrollError(field=option, value=text, bound=f"a range such as {examples}")
     if first.strip()[-1:].isdigit():
         first += last.strip().lstrip("+-−0123456789.eE")
     elif last.strip()[-1:].isdigit():
-        raise RimrollError(f"{option} must have its unit behind the second number, got {text!r}")
+        raise RimrollError(f"must have its unit behind the second number, got {text!r}", option)
     low, high = quantity(first, unit, option), quantity(last, unit, option)
     if not low < high:
-        raise RimrollError(f"{option} must rise, got {text!r}")
+        raise RimrollError(f"must rise, got {text!r}", option)
     return low, high

@@ -218,7 +218,7 @@ def requested_levels(options: IntensityOptions) -> Levels:
     )
     levels = _values(options.intensities, unit, option, examples, options.levels)
     if not (levels > 0.0).all():
-        raise RimrollError(f"{option} must be > 0, got {levels.min():g} {unit}")
+        raise RimrollError(field=option, value=levels.min(), bound="> 0", unit=unit)
     return Levels(measure, False, levels, len(levels))
 
 
@@ -245,7 +245,7 @@ def _values(text: str, unit: str, option: str, examples: str, points: int | None
         raise RimrollError(f"--levels is for a range such as {examples.split(' or ')[0]}")
     values = np.array([quantity(part, unit, option) for part in text.split(",")])
     if not np.isfinite(values).all():
-        raise RimrollError(f"{option} must be finite, got {text!r}")
+        raise RimrollError(field=option, value=text, bound="finite")
     if len(set(values.tolist())) < len(values):
         raise RimrollError(f"{option} has a number twice: {text!r}")
     return np.sort(values)

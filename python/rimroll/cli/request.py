@@ -163,7 +163,7 @@ def preset_body(name: str, sizes: dict[str, str]) -> Body:
     try:
         function = choose("body", name, presets())
     except RimrollError as error:
-        raise RimrollError(f"{error}, or give a .toml file") from None
+        raise error.with_hint(", or give a .toml file") from None
     taken = inspect.signature(function).parameters
     for size in sizes:
         if size not in taken:

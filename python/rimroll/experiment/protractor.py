@@ -102,8 +102,10 @@ def sheet(body: Body, name: str = "", paper: str = "a4") -> Figure:
     kind = choose("paper", paper, PAPERS)
     if body.radius > widest(kind):
         raise RimrollError(
-            f"radius must be at most {1e3 * widest(kind):g} mm for the rim to fit on {paper} paper,"
-            f" got {1e3 * body.radius:g} mm"
+            field="radius",
+            value=1000.0 * body.radius,
+            bound=f"at most {1000.0 * widest(kind):g} mm for the rim to fit on {paper} paper",
+            unit="mm",
         )
     with figure_style():
         figure = Figure(figsize=(kind.width / 25.4, kind.height / 25.4))

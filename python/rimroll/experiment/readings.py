@@ -108,7 +108,8 @@ class Readings(Mapping[str, UFloat]):
             size_of_body(value, unit, label)
         bound = ">= 0" if name in _MAY_BE_ZERO else "> 0"
         if number < 0.0 or (number == 0.0 and name not in _MAY_BE_ZERO):
-            raise RimrollError(f"{label} must be {bound}, got {pretty(number, unit)}")
+            text = f"must be {bound}, got {pretty(number, unit)}"
+            raise RimrollError(text, label, number, bound, unit)
         if number > 1e9 or (number < 1e-9 and name not in _MAY_BE_ZERO):
             raise RimrollError(f"{label} is no reading on a table: {number:g} {unit}")
         if unit == "rad" and number > 0.5 * math.pi:
@@ -119,8 +120,10 @@ class Readings(Mapping[str, UFloat]):
         if name in _COUNTS and (number != int(number) or number < _MIN_SWINGS):
             period = self.typed("across_period" if name == "across_swings" else "swing_period")
             raise RimrollError(
-                f"{label} must be a whole number, at least {_MIN_SWINGS} (50 is better), got"
-                f" {number:g}; a swing timed by itself, off a film, is {period}"
+                field=label,
+                value=number,
+                bound=f"a whole number, at least {_MIN_SWINGS} (50 is better)",
+                hint=f"; a swing timed by itself, off a film, is {period}",
             )
         return Variable(number, uncertainty, tag=name)
 

@@ -69,9 +69,15 @@ class Release:
             object.__setattr__(self, field.name, _pair(field.name, getattr(self, field.name)))
         if not 0.0 < self.tilt[0] < 0.5 * math.pi:
             degrees = in_degrees_hint(self.tilt[0]) if self.tilt[0] > math.pi else ""
-            raise RimrollError(f"tilt must be inside (0, pi/2), got {self.tilt[0]} rad{degrees}")
+            raise RimrollError(
+                field="tilt",
+                value=self.tilt[0],
+                bound="inside (0, pi/2)",
+                unit="rad",
+                hint=degrees,
+            )
         if self.friction_scale[0] <= 0.0:
-            raise RimrollError(f"friction_scale must be > 0, got {self.friction_scale[0]}")
+            raise RimrollError(field="friction_scale", value=self.friction_scale[0], bound="> 0")
 
     @classmethod
     def named(cls, name: str, body: Body, gravity: Number = _core.STANDARD_GRAVITY) -> Release:
@@ -109,7 +115,7 @@ class Release:
         """
         count = whole_number("n", n)
         if count > MAX_TRIALS:
-            raise RimrollError(f"n must be at most {MAX_TRIALS}, got {count}")
+            raise RimrollError(field="n", value=count, bound=f"at most {MAX_TRIALS}")
         return self.at(self.chances(0, count, random_seed(seed)))
 
     @classmethod
@@ -164,13 +170,13 @@ def _sideways_rates(tilt: Any, sideways: Any, twist: Any) -> dict[str, Any]:
 def _pair(name: str, value: Any) -> tuple[float, float]:
     given = value if isinstance(value, tuple | list) else (value, 0.0)
     if len(given) != 2:
-        raise RimrollError(f"{name} must be (mean, spread) or a mean, got {value!r}")
+        raise RimrollError(field=name, value=value, bound="(mean, spread) or a mean")
     unit = "1" if name == "friction_scale" else START_UNIT_OF.get(name, "rad/s")
-    mean, spread = number(name, given[0], unit), number(f"{name} spread", given[1], unit)
+    mean, spread = number(name, given[0], unit), number(f"{name}_spread", given[1], unit)
     if not math.isfinite(mean):
-        raise RimrollError(f"{name} must be finite, got {mean}")
+        raise RimrollError(field=name, value=mean, bound="finite")
     if not 0.0 <= spread < math.inf:
-        raise RimrollError(f"{name} spread must be finite and >= 0, got {spread}")
+        raise RimrollError(field=f"{name}_spread", value=spread, bound="finite and >= 0")
     return mean, spread
 
 

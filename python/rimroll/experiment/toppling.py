@@ -99,7 +99,7 @@ def let_go(
         release = Release.named(release, body, options.gravity)
     if not isinstance(release, Release):
         raise RimrollError(
-            f"release must be a rimroll.Release or the name of a preset, got {release!r}"
+            field="release", value=release, bound="a rimroll.Release or the name of a preset"
         )
     seed = secrets.randbits(31) if seed is None else seed
     starts, friction_scale = release.draw(n, seed)

@@ -137,16 +137,16 @@ def fit_track(
     beside, height = marker or (0.0, 0.0)
     point = Marker(number("marker", beside, "m"), number("marker", height, "m"))
     if not (0.0 <= point.radius < math.inf and 0.0 <= point.height < math.inf):
-        raise RimrollError(f"marker must have lengths that are not negative, got {marker}")
+        raise RimrollError(f"must have lengths that are not negative, got {marker}", "marker")
     needed = float(needed_friction(body))
     given = Coulomb(0.5 * needed or 0.2) if law is None else one_law(law)
     sigma = positive("error", ERRORS[track.kind] if error is None else error)
     level = number("confidence", confidence)
     if not 0.5 <= level < 1.0:
-        raise RimrollError(f"confidence must be at least 0.5 and below 1, got {level:g}")
+        raise RimrollError(field="confidence", value=level, bound="at least 0.5 and below 1")
     deviation = number("body_error", body_error)
     if not 0.0 <= deviation <= 0.2:
-        raise RimrollError(f"body_error must be from 0 to 0.2, got {deviation:g}")
+        raise RimrollError(field="body_error", value=deviation, bound="from 0 to 0.2")
     free = tuple(fitted_names(given, fit))
     pull = positive("gravity", gravity, "m/s^2")
     end = float(track.t[-1])

@@ -45,7 +45,7 @@ class Track:
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
-            raise RimrollError(f'kind must be "path", "lean" or "tilt", got {self.kind!r}')
+            raise RimrollError(field="kind", value=self.kind, bound='"path", "lean" or "tilt"')
         t, values = np.asarray(self.t, float), np.asarray(self.values, float)
         width = 1 if self.kind == "tilt" else 2
         if t.ndim != 1 or values.shape != (len(t), width):

@@ -58,7 +58,7 @@ def read_all(
     _expect_once([*single, *(path for group in lists for path in group)])
     groups = [*_by_station(texts_of(single) if single else []), *map(texts_of, lists)]
     if not groups:
-        raise RimrollError("files must be one or more, got none")
+        raise RimrollError("must be one or more, got none", "files")
     _expect_components_together(groups[: len(groups) - len(lists)])
     layout = Layout(units, None, columns, step, time_unit)
     grounds = [record_of(texts, layout, pad=pad) for texts in groups]

@@ -88,7 +88,7 @@ def read(
         They are taken as seconds otherwise.
     """
     if component not in (None, "x", "y", "z"):
-        raise RimrollError(f'component must be "x", "y" or "z", got {component!r}')
+        raise RimrollError(field="component", value=component, bound='"x", "y" or "z"')
     layout = Layout(units, component, columns, step, time_unit)
     return record_of(texts_of(files), layout, headings, pad)
 
@@ -99,22 +99,14 @@ def texts_of(files: Sequence[Source]) -> list[tuple[str, str]]:
     Raises ``RimrollError`` for one that is empty, no text, or in a format that is not read.
     """
     if not files:
-        raise RimrollError("files must be one or more, got none")
-    texts = [(name := source_name(file), _text(name, file)) for file in files]
+        raise RimrollError("must be one or more, got none", "files")
+    hint = f"; for miniSEED, SAC and other binary files, {OBSPY}"
+    texts = [(name := source_name(file), text_of(name, file, if_binary=hint)) for file in files]
     for name, text in texts:
         if not text.strip():
             raise RimrollError(f"{name} is empty")
         refuse_other_format(name, text)
     return texts
-
-
-def _text(name: str, file: Source) -> str:
-    try:
-        return text_of(name, file)
-    except RimrollError as error:
-        if "is no text file" not in str(error):
-            raise
-        raise RimrollError(f"{error}; for miniSEED, SAC and other binary files, {OBSPY}") from None
 
 
 def record_of(
@@ -229,7 +221,7 @@ def _directions(
     given = [headings] if isinstance(headings, str) else list(headings)
     if len(given) != len(components):
         raise RimrollError(
-            f"headings must be one for each file, {len(components)}, got {len(given)}"
+            field="headings", value=len(given), bound=f"one for each file, {len(components)}"
         )
     return [given_direction(f"headings[{i}]", value) for i, value in enumerate(given)]
 

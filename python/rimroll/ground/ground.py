@@ -103,7 +103,7 @@ class Ground:
         """
         times = positive("factor", factor)
         if not 1.0 / MAX_FACTOR <= times <= MAX_FACTOR:
-            raise RimrollError(f"factor must be between 1e-6 and 1e6, got {times:g}")
+            raise RimrollError(field="factor", value=times, bound="between 1e-6 and 1e6")
         return Ground(self.core.scaled(times), self.heading)
 
     def rotated(self, angle: Number) -> Ground:
@@ -113,7 +113,7 @@ class Ground:
         """
         turned = number("angle", angle, "rad")
         if not math.isfinite(turned):
-            raise RimrollError(f"angle must be finite, got {turned}")
+            raise RimrollError(field="angle", value=turned, bound="finite")
         heading = None if self.heading is None else (self.heading + turned) % math.tau
         return Ground(self.core.rotated(turned), heading)
 

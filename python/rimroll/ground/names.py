@@ -42,14 +42,14 @@ def factor_of_unit(unit: str, field: str) -> float:
     Raises ``RimrollError`` for what is no unit of acceleration.
     """
     if not isinstance(unit, str):
-        raise UnitError(f'{field} must be a unit such as "g" or "m/s2", got {unit!r}')
+        raise UnitError(field=field, value=unit, bound='a unit such as "g" or "m/s2"')
     spelled = _SECONDS.sub("s", unit.strip().lower().replace("'s", ""))
     spelled = spelled.replace("**", "").replace("^", "").replace("²", "2").replace("s/s", "s2")
     try:
         return factor_of(spelled, "m/s^2", field, unit)
     except UnitError:
         example = 'a unit of acceleration such as "g", "gal" or "m/s2"'
-        raise UnitError(f'{field} must be {example}, got "{unit}"') from None
+        raise UnitError(f'must be {example}, got "{unit}"', field, unit, example) from None
 
 
 def direction_of(text: str) -> Direction | None:

@@ -101,7 +101,7 @@ def _three(field: str, value: object, unit: str = "1") -> Array:
     """A number for all components, or three of them."""
     given = numbers(field, value, unit)
     if given.shape not in ((), (3,)):
-        raise RimrollError(f"{field} must be one number or three (x, y, z), got {value!r}")
+        raise RimrollError(field=field, value=value, bound="one number or three (x, y, z)")
     hold(field, given, np.isfinite(given), "finite", unit)
     return given
 

@@ -42,11 +42,12 @@ def sampled(step: Number, acceleration: Values) -> Ground:
     if samples.shape[1:] != (3,):
         hint = f": transpose it to {given.shape[::-1]}" if given.shape[:-1] == (3,) else ""
         raise RimrollError(
-            f"acceleration must have the shape (n, 3), or (n,) for x alone, got {given.shape}{hint}"
+            f"must have the shape (n, 3), or (n,) for x alone, got {given.shape}{hint}",
+            "acceleration",
         )
     if len(samples) > MAX_POINTS:
         raise RimrollError(
-            f"acceleration must have at most {MAX_POINTS} samples, got {len(samples)}"
+            f"must have at most {MAX_POINTS} samples, got {len(samples)}", "acceleration"
         )
     return Ground(_core.CoreGround.from_samples(interval, samples))
 
@@ -91,7 +92,7 @@ def function(
     1.6901
     """
     if not callable(f):
-        raise RimrollError(f"f must be a function of the time, got {f!r}")
+        raise RimrollError(field="f", value=f, bound="a function of the time")
     end, largest = positive("duration", duration, "s"), positive("step", step, "s")
     if not end / largest <= MAX_POINTS - 1:
         raise RimrollError(f"duration/step must be below {MAX_POINTS}, got {end / largest:g}")

@@ -32,7 +32,7 @@ def response_spectrum(lines: Lines, periods: Values, damping: Number) -> xr.Data
 
     period = numbers("periods", periods, "s")
     if period.ndim != 1 or not period.size:
-        raise RimrollError(f"periods must be a flat array, got shape {period.shape}")
+        raise RimrollError(f"must be a flat array, got shape {period.shape}", "periods")
     hold("periods", period, (period > 0.0) & np.isfinite(period), "> 0 and finite", "s")
     ratio = _damping_ratio(damping)
     largest = np.array([_highest(*oscillation(lines, one, ratio)) for one in period.tolist()])
@@ -52,7 +52,7 @@ def response_spectrum(lines: Lines, periods: Values, damping: Number) -> xr.Data
 def _damping_ratio(damping: Number) -> float:
     ratio = number("damping", damping)
     if not 0.0 <= ratio < 1.0:
-        raise RimrollError(f"damping must be between 0 and below 1, got {ratio:g}")
+        raise RimrollError(field="damping", value=ratio, bound="between 0 and below 1")
     return ratio
 
 

@@ -50,9 +50,9 @@ def from_obspy(stream: Iterable[Any], units: str) -> Ground:
         traces = list(stream)
         named = [(str(trace.stats.channel), trace) for trace in traces]
     except (TypeError, AttributeError):
-        raise RimrollError(f"stream must be a stream of ObsPy, got {stream!r}") from None
+        raise RimrollError(field="stream", value=stream, bound="a stream of ObsPy") from None
     if not traces:
-        raise RimrollError("stream must have one to three traces, got none")
+        raise RimrollError("must have one to three traces, got none", "stream")
     factor = factor_of_unit(units, "units")
     first = traces[0]
     step = positive(f"the step of {named[0][0]}", first.stats.delta, "s")

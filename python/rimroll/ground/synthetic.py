@@ -47,7 +47,9 @@ def synthetic(
     """
     peaks = numbers("amplitude", amplitude, "m/s^2")
     if peaks.shape not in ((), (3,)):
-        raise RimrollError(f"amplitude must be one number or three (x, y, z), got {amplitude!r}")
+        raise RimrollError(
+            field="amplitude", value=amplitude, bound="one number or three (x, y, z)"
+        )
     hold("amplitude", peaks, (peaks >= 0.0) & (peaks <= 1e9), "between 0 and 1e9", "m/s^2")
     end, interval = positive("duration", duration, "s"), positive("step", step, "s")
     count = round(end / interval) if end / interval < 1e9 else MAX_POINTS

@@ -166,11 +166,11 @@ def analyze(
     expect("record", record, Record)
     one_body(body)
     if axis not in ("auto", *AXES):
-        raise RimrollError(f'axis must be "auto", "x", "y" or "z", got {axis!r}')
+        raise RimrollError(field="axis", value=axis, bound='"auto", "x", "y" or "z"')
     pull = positive("gravity", gravity, "m/s^2")
     level = number("confidence", confidence)
     if not 0.5 <= level < 1.0:
-        raise RimrollError(f"confidence must be at least 0.5 and below 1, got {level:g}")
+        raise RimrollError(field="confidence", value=level, bound="at least 0.5 and below 1")
     rests = rests_of(record)
     rates = record.rates - rests.bias_at(record.t)
     refuse_unlikely(record, rates, rests, body, pull)

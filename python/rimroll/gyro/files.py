@@ -18,7 +18,7 @@ from rimroll.gyro.phyphox import SIMULATED
 from rimroll.gyro.record import Record
 from rimroll.gyro.times import with_even_notes
 from rimroll.gyro.titles import Chosen, chosen_columns
-from rimroll.table import MOST_BYTES, Source, Table, source_name, table_of, text_of
+from rimroll.table import MOST_BYTES, Source, Table, UnevenRow, source_name, table_of, text_of
 
 Array = NDArray[np.float64]
 
@@ -82,7 +82,12 @@ def read(
     if between is not None:
         start, end = (number("between", one, "s") for one in between)
         if not start < end:
-            raise RimrollError(f"between must be an earlier and a later time, got {start}, {end} s")
+            raise RimrollError(
+                field="between",
+                value=(start, end),
+                bound="an earlier and a later time",
+                unit="s",
+            )
         inside = (t >= start) & (t <= end)
         t, rates, lines = t[inside], rates[inside], lines[inside]
     record, more = with_even_notes(name, t, rates, lines, chosen.is_stated)
@@ -103,14 +108,8 @@ def _text(file: Source) -> tuple[str, str]:
         read = file.read(MOST_BYTES + 1)
         head, file = read[:4], io.BytesIO(read)
     if head != _ZIP:
-        try:
-            return name, text_of(name, file)
-        except RimrollError as error:
-            if "larger than" not in str(error):
-                raise
-            raise RimrollError(
-                f"{error}: a record of some minutes is enough; cut out the part with the falls"
-            ) from None
+        hint = ": a record of some minutes is enough; cut out the part with the falls"
+        return name, text_of(name, file, if_large=hint)
     return _text_in_zip(name, file)
 
 
@@ -149,10 +148,10 @@ def _table(name: str, text: str) -> tuple[Table, bool]:
     """The table, without a last line that was cut; whether there was one."""
     try:
         return table_of(name, text, has_columns=True), False
-    except RimrollError as error:
+    except UnevenRow as error:
         whole = text.rstrip("\r\n")
         end = whole.rfind("\n")
-        if f"line {whole.count(chr(10)) + 1}:" not in str(error) or end < 0:
+        if error.line != whole.count("\n") + 1 or end < 0:
             raise
     return table_of(name, whole[:end], has_columns=True), True
 

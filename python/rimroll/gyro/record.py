@@ -52,7 +52,7 @@ class Record:
         t, rates = numbers("t", self.t, "s"), numbers("rates", self.rates, "rad/s")
         if t.ndim != 1 or rates.shape != (len(t), 3):
             raise RimrollError(
-                f"t must have the shape (n,) and rates (n, 3), got {t.shape} and {rates.shape}"
+                f"must have the shape (n,) and rates (n, 3), got {t.shape} and {rates.shape}", "t"
             )
         if len(t) < MIN_SAMPLES:
             raise RimrollError(

@@ -88,10 +88,12 @@ class Sensor:
                 least = value > 0.0 if field == "range" else 0.0 <= value < np.inf
                 if not least:
                     what = "> 0" if field == "range" else ">= 0 and finite"
-                    raise RimrollError(f"{field} must be {what}, got {value}")
+                    raise RimrollError(field=field, value=value, bound=f"{what}")
             object.__setattr__(self, field, value)
         if not self.sampling_rate < 1e5:
-            raise RimrollError(f"sampling_rate must be below 100000 Hz, got {self.sampling_rate}")
+            raise RimrollError(
+                field="sampling_rate", value=self.sampling_rate, bound="below 100000 Hz"
+            )
 
     def record(
         self,
@@ -169,7 +171,7 @@ def _duration(field: str, value: Number) -> float:
     """A time in s, ``RimrollError`` unless it is at least 0 and finite."""
     read = number(field, value, "s")
     if not 0.0 <= read < np.inf:
-        raise RimrollError(f"{field} must be >= 0 and finite, got {read} s")
+        raise RimrollError(field=field, value=read, bound=">= 0 and finite", unit="s")
     return read
 
 

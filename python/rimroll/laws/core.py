@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from rimroll import _core
-from rimroll.errors import RimrollError
 from rimroll.grid import Grid
 from rimroll.laws.parameters import fixed_numbers, varied_numbers
 
@@ -28,5 +27,5 @@ def check(name: str, numbers: Mapping[str, Any]) -> None:
     columns = {name: grid.flat(value) for name, value in varied.items()}
     bad = _core.first_bad_contact_law(fixed, columns)
     if bad is not None:
-        row, message = bad
-        raise RimrollError(grid.placed(message, numbers, row))
+        row, error = bad
+        raise grid.placed(error, numbers, row)

@@ -31,5 +31,5 @@ def ideal(law: object) -> Law:
     """The law, if it is one of the two with closed forms; else ``RimrollError``."""
     law = contact_law(law)
     if type(law) not in map(type, IDEAL):
-        raise RimrollError(f"law must be NoSlip or Frictionless for a closed form, got {law!r}")
+        raise RimrollError(field="law", value=law, bound="NoSlip or Frictionless for a closed form")
     return law

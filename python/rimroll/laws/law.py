@@ -114,8 +114,8 @@ def one_law(law: Any) -> Law:
     contact_law(law)
     if law.shape:
         raise RimrollError(
-            f"law must be a single law, got numbers of shape {law.shape}: rimroll.ensemble takes"
-            " many"
+            f"must be a single law, got numbers of shape {law.shape}: rimroll.ensemble takes many",
+            "law",
         )
     assert isinstance(law, Law)
     return law
@@ -135,8 +135,10 @@ def _expect_known(kind: type[Law]) -> None:
     if kind not in LAWS.values():
         known = ", ".join(known.__name__ for known in LAWS.values())
         raise RimrollError(
-            f"law must be one of rimroll's own, {known}, got the class {kind.__name__}: laws are"
-            " compiled; for a friction of your own over the slip speed use rimroll.Tabulated"
+            f"must be one of rimroll's own, {known}, got the class {kind.__name__}: laws are"
+            " compiled; for a friction of your own over the slip speed use"
+            " rimroll.Tabulated",
+            "law",
         )
 
 

@@ -93,7 +93,7 @@ def listed(field: str, values: object, unit: str = "1") -> tuple[float, ...]:
     """
     flat = array(field, values, unit)
     if flat.ndim != 1:
-        raise RimrollError(f"{field} must be a flat list of numbers, got {values!r}")
+        raise RimrollError(field=field, value=values, bound="a flat list of numbers")
     return tuple(flat.tolist())
 
 

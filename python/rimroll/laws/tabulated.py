@@ -112,10 +112,10 @@ class Tabulated(Law):
         0.23679
         """
         if not callable(mu):
-            raise RimrollError(f"mu must be a function of the slip speed, got {mu!r}")
+            raise RimrollError(field="mu", value=mu, bound="a function of the slip speed")
         tolerance = number("tolerance", tolerance)
         if not tolerance > 0.0:
-            raise RimrollError(f"tolerance must be > 0, got {tolerance:g}")
+            raise RimrollError(field="tolerance", value=tolerance, bound="> 0")
         begin = listed("speeds", speeds, "m/s")
         # Raises errors about the speeds before the function is called.
         cls(begin, [0.0] * len(begin))

@@ -138,11 +138,11 @@ def checked(values: object, count: int, t: Array) -> Array:
     if array.shape != (count,) or array.dtype.kind not in "iuf":
         got = f"shape {array.shape}" if array.dtype.kind in "iuf" else f"{array.dtype} values"
         raise RimrollError(
-            f"function must give a number for each of the {count} moments, shape ({count},), got"
-            f" {got}"
+            f"must give a number for each of the {count} moments, shape ({count},), got {got}",
+            "function",
         )
     if np.isnan(array).any():
         first = t[np.isnan(array)][0]
-        raise RimrollError(f"function must give numbers, got nan at t = {first:.6g} s")
+        raise RimrollError(f"must give numbers, got nan at t = {first:.6g} s", "function")
     largest = np.finfo(np.float64).max
     return np.clip(array.astype(np.float64), -largest, largest)

@@ -37,8 +37,9 @@ def flat_given(flat: object) -> FlatLanding:
         return ("smooth", whole_number("flat seed", flat[1]))
     if isinstance(flat, str | bool | tuple) or flat is None:
         raise RimrollError(
-            f'flat must be one of {", ".join(KINDS)}, ("smooth", seed)'
-            f" or a restitution from 0 to 1, got {flat!r}"
+            field="flat",
+            value=flat,
+            bound=f"""one of {", ".join(KINDS)}, ("smooth", seed) or a restitution from 0 to 1""",
         )
     return number("flat", flat)
 

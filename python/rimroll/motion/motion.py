@@ -400,9 +400,9 @@ class Motion(Moments):
         (0.3, 0.1455)
         """
         if not callable(function):
-            raise RimrollError(f"function must be something to call, got {function!r}")
+            raise RimrollError(field="function", value=function, bound="something to call")
         if rising is not None and not isinstance(rising, bool | np.bool_):
-            raise RimrollError(f"rising must be None, True or False, got {rising!r}")
+            raise RimrollError(field="rising", value=rising, bound="None, True or False")
         count = self._fitting(whole_number("per_step", per_step))
 
         def values(steps: NDArray[np.int64], fractions: Array) -> Array:
@@ -437,8 +437,9 @@ class Motion(Moments):
         if per_step * len(self) > MAX_SAMPLES:
             allowed = MAX_SAMPLES // len(self)
             raise RimrollError(
-                f"per_step must be at most {allowed} for this motion of {len(self)} steps,"
-                f" got {per_step}"
+                field="per_step",
+                value=per_step,
+                bound=f"at most {allowed} for this motion of {len(self)} steps",
             )
         return per_step
 
@@ -529,7 +530,7 @@ class Motion(Moments):
         """
         expect_dataset(dataset)
         if "outcome" in dataset:
-            raise RimrollError("dataset must be that of a motion, got one of falls")
+            raise RimrollError("must be that of a motion, got one of falls", "dataset")
         from rimroll.ground.dataset import ground_of
 
         return follow(

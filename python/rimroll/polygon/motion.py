@@ -248,7 +248,7 @@ class PolygonMotion(PolygonMoments):
         """All quantities at times t (s) of the motion; after the impact, if one is then."""
         moments = times(t)
         if not np.all((moments >= 0.0) & (moments <= self.t[-1])):
-            raise RimrollError(f"t must be inside the motion, 0 to {self.t[-1]:.6g} s")
+            raise RimrollError(f"must be inside the motion, 0 to {self.t[-1]:.6g} s", "t")
         return PolygonMoments(self._core.at(np.atleast_1d(moments)))
 
     evaluate = __call__
@@ -257,7 +257,7 @@ class PolygonMotion(PolygonMoments):
         """All quantities at the accepted steps and evenly inside each, for smooth curves."""
         count = whole_number("per_step", per_step)
         if not 0 < count <= 1000:
-            raise RimrollError(f"per_step must be between 1 and 1000, got {count}")
+            raise RimrollError(field="per_step", value=count, bound="between 1 and 1000")
         return PolygonMoments(self._core.samples(count))
 
     def plot(self) -> Figure:
@@ -299,8 +299,9 @@ def follow(
     """What :func:`rimroll.simulate` computes for a body with corners."""
     if not isinstance(law, NoSlip | Frictionless) or law.resistances:
         raise RimrollError(
-            "law must be NoSlip() or Frictionless() for a body with corners, without resistances,"
-            f" got {law!r}"
+            field="law",
+            value=law,
+            bound="NoSlip() or Frictionless() for a body with corners, without resistances",
         )
     core = _core.simulate_polygonal_body(
         body, start, law.name, *options.values, restitution, progress

@@ -55,7 +55,7 @@ def load(path: str | os.PathLike[str]) -> Scenario:
     try:
         return scenario(read(file), file.parent)
     except RimrollError as error:
-        raise RimrollError(f"{file}: {error}") from None
+        raise error.inside(f"{file}:") from None
 
 
 def presets() -> dict[str, Callable[..., Body]]:

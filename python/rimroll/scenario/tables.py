@@ -171,7 +171,7 @@ def in_three(unit: str) -> BeforeValidator:
         if not isinstance(value, list):
             return quantity(readable(value), unit, name)
         if len(value) != 3:
-            raise RimrollError(f"{name} must be one or three, x, y and z, got {as_toml(value)}")
+            raise RimrollError(f"must be one or three, x, y and z, got {as_toml(value)}", name)
         return [quantity(readable(one), unit, name) for one in value]
 
     return BeforeValidator(read)
@@ -316,7 +316,7 @@ def read_law(given: object, body: Body, gravity: float) -> Law:
             raise RimrollError(f'law = "{given}" lacks {missing[0]!r}: write {table}')
         return kind()
     if not isinstance(given, dict):
-        raise RimrollError(f"law must be a text or a table, got {as_toml(given)}")
+        raise RimrollError(f"must be a text or a table, got {as_toml(given)}", "law")
     law = _contact({key: value for key, value in given.items() if key not in RESISTANCES})
     for name in RESISTANCES:
         if name in given:
@@ -418,7 +418,7 @@ def made(where: str, make: Callable[[], T]) -> T:
     try:
         return make()
     except RimrollError as error:
-        raise RimrollError(f"{where} {error}") from None
+        raise error.inside(where) from None
 
 
 def checked(model: type[TableT], table: dict[str, Any], where: str, *other_keys: str) -> TableT:
@@ -429,23 +429,24 @@ def checked(model: type[TableT], table: dict[str, Any], where: str, *other_keys:
         # A misspelt key is also a missing key; the misspelling is the better message.
         problems = sorted(error.errors(), key=lambda found: found["type"] != "extra_forbidden")
     known = [*model.model_fields, *other_keys]
-    raise RimrollError(f"{where} {_problem(problems[0], known)}".strip())
+    raise _problem(problems[0], known).inside(where)
 
 
-def _problem(found: ErrorDetails, known: list[str]) -> str:
-    """The message of an error of pydantic, in our words where possible."""
-    key = ".".join(str(part) for part in found["loc"])
+def _problem(found: ErrorDetails, known: list[str]) -> RimrollError:
+    """An error of pydantic, in our words where possible."""
+    key, value = ".".join(str(part) for part in found["loc"]), found["input"]
     match found["type"]:
         case "extra_forbidden":
-            return f"has an unknown key {key!r}{nearest(key, known)}"
+            return RimrollError(f"has an unknown key {key!r}{nearest(key, known)}")
         case "missing":
-            return f"lacks {key!r}"
-        case "value_error":  # the error of a quantity, which names the field
-            return str(found.get("ctx", {}).get("error", found["msg"]))
+            return RimrollError(f"lacks {key!r}")
+        case "value_error" if isinstance(error := found["ctx"]["error"], RimrollError):
+            return error  # of a quantity, which names the field
         case "dict_type" | "list_type" | "string_type" | "int_type" as kind:
-            return f"{key} must be a {_KINDS[kind]}, got {as_toml(found['input'])}"
+            bound = f"a {_KINDS[kind]}"
+            return RimrollError(f"must be {bound}, got {as_toml(value)}", key, value, bound)
         case _:
-            return f"{key} is {as_toml(found['input'])}: {found['msg'].lower()}"
+            return RimrollError(f"is {as_toml(value)}: {found['msg'].lower()}", key, value)
 
 
 _KINDS = {

@@ -148,7 +148,7 @@ def reached(
         return overturned, undecided
     ratio = number("limit", limit)
     if not 0.0 < ratio <= 1.0:
-        raise RimrollError(f"limit must be above 0 and at most 1, got {ratio:g}")
+        raise RimrollError(field="limit", value=ratio, bound="above 0 and at most 1")
     far = overturned | (np.asarray(shaken["max_tilt_ratio"]) >= ratio)
     return far, undecided & ~far
 
@@ -241,7 +241,7 @@ def fragility(
     _, record = np.unique(record[decided], return_inverse=True)
     confidence = number("level", level)
     if not 0.0 < confidence < 1.0:
-        raise RimrollError(f"level must be between 0 and 1, got {confidence:g}")
+        raise RimrollError(field="level", value=confidence, bound="between 0 and 1")
     _expect_overlap(count, logs, of, "overturned" if limit is None else "reached the limit")
     likelihood = Likelihood(count, logs - logs.mean(), of)
     intercept, slope = likelihood.largest()
@@ -328,8 +328,8 @@ def _data(
         record = np.broadcast_to(np.asarray(0 if records is None else records), count.shape)
     except ValueError:
         raise RimrollError(
-            f"records must broadcast with overturned, got shape {np.shape(records)} for"
-            f" {count.shape}"
+            f"must broadcast with overturned, got shape {np.shape(records)} for {count.shape}",
+            "records",
         ) from None
     count, strength, of, open_ = (part.ravel() for part in (count, strength, of, open_))
     within = (count >= 0.0) & (count <= of) & (count == np.floor(count))

@@ -254,7 +254,7 @@ def _grounds(
     assert isinstance(grounds, Sequence | Mapping)
     each = list(grounds.values() if isinstance(grounds, Mapping) else grounds)
     if not each:
-        raise RimrollError("grounds must be one or more, got none")
+        raise RimrollError("must be one or more, got none", "grounds")
     for place, ground in enumerate(each):
         expect(f"grounds[{place}]", ground, Ground)
     index = np.arange(len(each), dtype=np.float64)
@@ -294,17 +294,12 @@ def _shakings(
     )
 
 
-def _placed(
-    refusal: RimrollError, rows: Rows, shakings: Shakings, options: Options
-) -> RimrollError:
+def _placed(error: RimrollError, rows: Rows, shakings: Shakings, options: Options) -> RimrollError:
     """An error of the core, with the element of the array: ``tilt[3]``."""
-    name = str(refusal).split(" ", 1)[0]
-    if name not in rows.given:
-        return refusal
+    if error.field not in rows.given:
+        return error
     row = _core.first_refused_shaking(shakings, options.gravity, options.topple_tilt)
-    if row is None:
-        return refusal
-    return RimrollError(rows.grid.placed(str(refusal), rows.given, row))
+    return error if row is None else rows.grid.placed(error, rows.given, row)
 
 
 def _columns(rows: Rows, shakings: Shakings, table: Array) -> dict[str, Column]:

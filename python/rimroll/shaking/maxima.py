@@ -59,7 +59,7 @@ class Maxima:
     def __post_init__(self) -> None:
         values = np.sort(numbers("values", self.values))
         if values.ndim != 1 or not values.size:
-            raise RimrollError(f"values must be a flat array, got shape {values.shape}")
+            raise RimrollError(f"must be a flat array, got shape {values.shape}", "values")
         hold("values", values, values >= 0.0, ">= 0")
         values.flags.writeable = False
         object.__setattr__(self, "values", values)
@@ -146,7 +146,7 @@ def imperfect_starts(
     many = whole_number("count", count)
     noise, turn = positive("tilt_noise", tilt_noise, "rad"), number("yaw_noise", yaw_noise, "rad")
     if not 0.0 <= turn < np.inf:
-        raise RimrollError(f"yaw_noise must be >= 0 and finite, got {turn:g} rad")
+        raise RimrollError(field="yaw_noise", value=turn, bound=">= 0 and finite", unit="rad")
     random = np.random.default_rng(random_seed(seed))
     x = one.tilt * np.cos(one.yaw) + noise * random.standard_normal(many)
     y = one.tilt * np.sin(one.yaw) + noise * random.standard_normal(many)

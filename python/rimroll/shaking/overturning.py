@@ -90,10 +90,10 @@ def overturning_scale(
     each = [grounds] if isinstance(grounds, Ground) else list(grounds)
     tried = flat_array("scales", scales)
     if np.any(np.diff(tried) <= 0.0):
-        raise RimrollError("scales must increase")
+        raise RimrollError("must increase", "scales")
     width = number("precision", precision)
     if not 1e-12 <= width <= 0.5:
-        raise RimrollError(f"precision must be between 1e-12 and 0.5, got {width:g}")
+        raise RimrollError(field="precision", value=width, bound="between 1e-12 and 0.5")
     options = Options.read(1.0, gravity, rtol, None, 1_000_000)
 
     def follow(chosen: list[Ground], factors: Array) -> Falls:
@@ -240,7 +240,7 @@ def overturning_spectrum(
     """
     one_body(body)
     if not body.height > 0.0:
-        raise RimrollError("body must have height: a disk has no balance tilt")
+        raise RimrollError("must have height: a disk has no balance tilt", "body")
     g = positive("gravity", gravity, "m/s^2")
     ratios = flat_array("frequency_ratios", frequency_ratios)
     default = np.geomspace(1.0, 30.0, 60)

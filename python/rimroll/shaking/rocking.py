@@ -134,7 +134,7 @@ def flat_array(field: str, value: object, unit: str = "1") -> Array:
 
     array = numbers(field, value, unit)
     if array.ndim != 1 or not array.size:
-        raise RimrollError(f"{field} must be a flat array, got shape {array.shape}")
+        raise RimrollError(f"must be a flat array, got shape {array.shape}", field)
     hold(field, array, (array > 0.0) & np.isfinite(array), "> 0 and finite", unit)
     return array
 

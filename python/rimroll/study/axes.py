@@ -88,9 +88,9 @@ class Described(Table):
         if self.number is not None:
             raise RimrollError("number needs range or log_range, not values")
         if not values:
-            raise RimrollError("values must be one or more, got none")
+            raise RimrollError("must be one or more, got none", "values")
         if len(values) > MAX_VALUES:
-            raise RimrollError(f"values must be at most {MAX_VALUES}, got {len(values)}")
+            raise RimrollError(field="values", value=len(values), bound=f"at most {MAX_VALUES}")
         if unit is None:
             return tuple(values)
         return np.array(
@@ -100,17 +100,18 @@ class Described(Table):
     def _between(self, key: str, unit: str) -> NDArray[np.float64]:
         ends = getattr(self, key)
         if len(ends) != 2:
-            raise RimrollError(f"{key} must be two numbers, got {as_toml(ends)}")
+            raise RimrollError(f"must be two numbers, got {as_toml(ends)}", key)
         low, high = (quantity(readable(end), unit, key) for end in ends)
         count = self.number
         if count is None:
             raise RimrollError(f"{key} lacks 'number': how many values")
         if not 1 <= count <= MAX_VALUES:
-            raise RimrollError(f"number must be between 1 and {MAX_VALUES}, got {count}")
+            raise RimrollError(field="number", value=count, bound=f"between 1 and {MAX_VALUES}")
         if key == "range":
             return np.linspace(low, high, count)
         if not (low > 0.0 and high > 0.0):
-            raise RimrollError(f"log_range must be > 0, got {low:g} to {high:g} {_shown(unit)}")
+            text = f"must be > 0, got {low:g} to {high:g} {_shown(unit)}"
+            raise RimrollError(text, key, (low, high), "> 0", unit)
         # Not geomspace, whose powers depend on the version of NumPy.
         logs = np.linspace(math.log(low), math.log(high), count)
         values = np.array([math.exp(one) for one in logs])
@@ -121,7 +122,9 @@ class Described(Table):
         if self.labels is not None:
             if len(self.labels) != len(values):
                 raise RimrollError(
-                    f"labels must be as many as the values, {len(values)}, got {len(self.labels)}"
+                    field="labels",
+                    value=len(self.labels),
+                    bound=f"as many as the values, {len(values)}",
                 )
             return _as_labels(self.labels)
         if isinstance(values, np.ndarray):
@@ -133,7 +136,7 @@ def _as_labels(labels: list[Any]) -> NDArray[Any]:
     array = np.array(labels)
     texts = sum(isinstance(one, str) for one in labels)
     if array.dtype.kind not in "iufU" or array.ndim != 1 or texts not in (0, len(labels)):
-        raise RimrollError(f"labels must be all numbers or all texts, got {as_toml(labels)}")
+        raise RimrollError(f"must be all numbers or all texts, got {as_toml(labels)}", "labels")
     return array if array.dtype.kind == "U" else array.astype(np.float64)
 
 

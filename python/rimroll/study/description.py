@@ -187,8 +187,10 @@ def described(content: dict[str, Any], folder: Path) -> Description:
     )
     if read.trials > 1 and not names and tables["release"] is None:
         raise RimrollError(
-            f"trials must be 1 where nothing is random, got {read.trials}: give [random] or"
-            " [release]"
+            field="trials",
+            value=read.trials,
+            bound="1 where nothing is random",
+            hint=": give [random] or [release]",
         )
     dims = _dims(axes, read.trials, read.most_rows)
     return Description(
@@ -292,11 +294,13 @@ def _numbers(distribution: str, given: Mapping[str, Any], unit: str) -> dict[str
 def _expect_possible(distribution: str, numbers: Mapping[str, float]) -> None:
     for name in ("spread", "dispersion"):
         if numbers.get(name, 0.0) < 0.0:
-            raise RimrollError(f"{name} must be >= 0, got {numbers[name]:g}")
+            raise RimrollError(field=name, value=numbers[name], bound=">= 0")
     if distribution == "lognormal" and not numbers["median"] > 0.0:
-        raise RimrollError(f"median must be > 0, got {numbers['median']:g}")
+        raise RimrollError(field="median", value=numbers["median"], bound="> 0")
     if distribution == "uniform" and not numbers["low"] < numbers["high"]:
-        raise RimrollError(f"high must be above low, {numbers['low']:g}, got {numbers['high']:g}")
+        raise RimrollError(
+            field="high", value=numbers["high"], bound=f"above low, {numbers['low']:g}"
+        )
 
 
 def _combined(axes: tuple[Axis, ...], combine: str) -> tuple[Axis, ...]:

@@ -67,7 +67,9 @@ class Sampling:
         most = MAX_POINTS.get(self.method, self.trials)
         if self.trials > most:
             raise RimrollError(
-                f"trials must be at most {most} with sampling {self.method!r}, got {self.trials}"
+                field="trials",
+                value=self.trials,
+                bound=f"at most {most} with sampling {self.method!r}",
             )
 
     def chances(self, first: int, last: int) -> tuple[dict[str, Array], Array | None]:

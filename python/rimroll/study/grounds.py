@@ -95,7 +95,7 @@ def _as_table(ground: Any) -> dict[str, Any]:
     if isinstance(ground, str | list):
         return {"record": ground}
     if not isinstance(ground, Mapping):
-        raise RimrollError(f"ground must be a table or a record, got {as_toml(ground)}")
+        raise RimrollError(f"must be a table or a record, got {as_toml(ground)}", "ground")
     return dict(ground)
 
 

@@ -153,7 +153,6 @@ class Plan:
         Raises ``RimrollError`` for rows that there are not, and ``Interrupted`` on Ctrl-C.
         """
         if not 0 <= first < last <= self.rows:
-            raise RimrollError(
-                f"rows must be between 0 and {self.rows}, got {first} to before {last}"
-            )
+            text = f"must be between 0 and {self.rows}, got {first} to before {last}"
+            raise RimrollError(text, "rows", (first, last))
         return self.study.computed(first, last, threads, progress)

@@ -153,14 +153,14 @@ def _in_row(description: Description, first: int, last: int, error: RimrollError
         refusal = earlier or _refusal(description, first, last)
     if refusal is None:
         return error
-    return RimrollError(f"row {first}: {refusal.replace('[0]', '')}")
+    return refusal.at(()).inside(f"row {first}:")
 
 
-def _refusal(description: Description, first: int, last: int) -> str | None:
+def _refusal(description: Description, first: int, last: int) -> RimrollError | None:
     try:
         _make(description, description.block(first, last))
     except RimrollError as error:
-        return str(error)
+        return error
     return None
 
 
@@ -194,7 +194,7 @@ def _kept(description: Description) -> dict[str, Variable]:
     if keep == "all":
         return known
     if not isinstance(keep, list) or not keep or not all(isinstance(one, str) for one in keep):
-        raise RimrollError(f'keep must be "all" or a list of columns, got {as_toml(keep)}')
+        raise RimrollError(f'must be "all" or a list of columns, got {as_toml(keep)}', "keep")
     for name in keep:
         if name not in known:
             raise RimrollError(f"keep: unknown column {name!r}{nearest(name, known)}")

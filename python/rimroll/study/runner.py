@@ -135,6 +135,6 @@ def _within(chunks: range | None, number: int) -> range:
         return range(number)
     if not 0 <= chunks.start < chunks.stop <= number or chunks.step != 1:
         raise RimrollError(
-            f"chunks must lie between 0 and {number}, got {chunks.start}:{chunks.stop}"
+            f"must lie between 0 and {number}, got {chunks.start}:{chunks.stop}", "chunks"
         )
     return chunks

@@ -64,7 +64,7 @@ def starts_of(start: Any, block: Block) -> StartRows:
     Raises ``RimrollError`` as scenario files do.
     """
     if isinstance(start, str) and start != STANDING:
-        raise RimrollError(f'start must be a table or "{STANDING}", got {as_toml(start)}')
+        raise RimrollError(f'must be a table or "{STANDING}", got {as_toml(start)}', "start")
     table = {STANDING: True} if start == STANDING else dict(start)
     stands = table.pop(STANDING, False)
     given = {key_in(one): one for one in block.of("start")}

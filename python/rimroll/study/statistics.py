@@ -198,7 +198,7 @@ def statistics_of(
         if not reductions:
             raise RimrollError("is empty: give count, mean, extremes, histogram or fragility")
     except RimrollError as error:
-        raise RimrollError(f"[statistics] {error}") from None
+        raise error.inside("[statistics]") from None
     left = tuple(groups)
     variables = {NUMBER: Variable("int64", left, "", "number of rows")}
     all_coords = {

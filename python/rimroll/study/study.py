@@ -167,7 +167,7 @@ class Study:
             study = cls.from_dict({"study": content, "folder": str(file.parent)})
             _ = study.description
         except RimrollError as error:
-            raise RimrollError(f"{file}: {error}") from None
+            raise error.inside(f"{file}:") from None
         return study
 
     @classmethod
@@ -267,7 +267,7 @@ class Study:
         callback("progress", progress)
         path = store or self.store
         if path is None:
-            raise RimrollError("store must be given: the folder of the results")
+            raise RimrollError("must be given: the folder of the results", "store")
         report = progress or (lambda done, total: None)
         filled = run(
             self.plan(),
@@ -320,7 +320,8 @@ def _as_json(name: str, value: Any) -> Any:
         case str() | int() | float() | bool() | None:
             return value
         case _:
-            raise RimrollError(f"{name} must be a number, a text, a list or a table, got {value}")
+            bound = "a number, a text, a list or a table"
+            raise RimrollError(f"must be {bound}, got {value}", name, value, bound)
 
 
 def _nonzero(numbers: Mapping[str, float]) -> dict[str, float]:

@@ -76,7 +76,7 @@ def computed(
     try:
         columns = plan.compute(first, last, threads=threads, progress=progress)
     except RimrollError as error:
-        raise RimrollError(f"chunk {chunk}: {error}") from None
+        raise error.inside(f"chunk {chunk}:") from None
     if plan.statistics is not None:
         columns = plan.statistics.of(first, last, columns)
     return Computed(chunk, columns, round(time.perf_counter() - begin, 3))

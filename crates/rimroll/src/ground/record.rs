@@ -1,7 +1,7 @@
 //! A sampled record of the table's acceleration.
 
 use super::pulse::MAX_ACCELERATION;
-use crate::error::{InvalidInput, entry, positive};
+use crate::error::{InvalidInput, entry, out_of_bounds, positive};
 use crate::real::Real;
 use std::sync::Arc;
 
@@ -113,12 +113,8 @@ impl Record {
     /// The sum of two records with the same times of samples.
     pub(super) fn plus(&self, other: &Record) -> Result<Record, InvalidInput> {
         if self.step != other.step {
-            return Err(InvalidInput::OutOfBounds {
-                field: "step",
-                value: other.step,
-                bound: format!("that of the record it is added to, {} s", self.step),
-                unit: "s",
-            });
+            let bound = format!("that of the record it is added to, {} s", self.step);
+            return Err(out_of_bounds("step", other.step, &bound, "s"));
         }
         let (mine, theirs) = (&self.samples, &other.samples);
         if mine.len() != theirs.len() {

@@ -116,6 +116,7 @@ pub(super) fn check_coefficients(friction: f64, static_friction: f64) -> Result<
         |f| (friction..=MAX_FRICTION).contains(&f),
         &format!("between friction = {friction} and 1e6"),
         "",
-    )?;
+    )
+    .map_err(|error| error.beside("friction"))?;
     Ok(())
 }

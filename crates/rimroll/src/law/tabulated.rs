@@ -46,7 +46,8 @@ impl Tabulated {
             |f| (slowest..=MAX_FRICTION).contains(&f),
             &format!("between frictions[0] = {slowest} and 1e6"),
             "",
-        )?;
+        )
+        .map_err(|error| error.beside("frictions"))?;
         Ok(Tabulated {
             curve: Arc::new(Curve::through(speeds, frictions)),
             factor: 1.0,

@@ -3,7 +3,7 @@
 use super::flat_landing::FlatLanding;
 use super::instant::LEVEL_PHASES;
 use crate::body::Body;
-use crate::error::{InvalidInput, bounded, positive};
+use crate::error::{InvalidInput, bounded, out_of_bounds, positive};
 use crate::law::{FrictionLaw, InPlace};
 use crate::state::State;
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -165,12 +165,7 @@ impl Options {
             "",
         )?;
         if self.max_steps == 0 {
-            return Err(InvalidInput::OutOfBounds {
-                field: "max_steps",
-                value: 0.0,
-                bound: ">= 1".to_owned(),
-                unit: "",
-            });
+            return Err(out_of_bounds("max_steps", 0.0, ">= 1", ""));
         }
         Ok(())
     }
@@ -183,7 +178,8 @@ impl Options {
         {
             // The text is formatted only on failure, because this check runs for every start.
             let bound = format!("below topple_tilt = {topple} rad");
-            bounded("tilt", start.tilt, |_| false, &bound, "rad")?;
+            bounded("tilt", start.tilt, |_| false, &bound, "rad")
+                .map_err(|error| error.beside("topple_tilt"))?;
         }
         Ok(())
     }

@@ -52,7 +52,7 @@ def planned(study: Study, path: Path) -> Plan:
     try:
         return study.plan()
     except RimrollError as error:
-        raise RimrollError(f"{path}: {error}") from None
+        raise error.inside(f"{path}:") from None
 
 
 def stored(path: Path, store: Path | None) -> tuple[Store, Plan | None]:

@@ -195,7 +195,9 @@ def _columns(table: Table) -> list[int]:
 
 def _named_columns(table: Table, column: str | int | None, lean: str | int | None) -> list[int]:
     if column is None:
-        raise RimrollError("column must be given with lean_column: it holds the direction of fall")
+        raise RimrollError(
+            "must be given with lean_column: it holds the direction of fall", "column"
+        )
     fall = _place(table, "column", column)
     if lean is None:
         return [fall]
@@ -216,7 +218,7 @@ def _place(table: Table, field: str, column: str | int) -> int:
         return int(word) - 1
     there = f", or of {', '.join(table.titles)}" if table.titles else ""
     raise RimrollError(
-        f"{field} must be a number from 1 to {table.width}{there} in {table.name}, got {column!r}"
+        field=field, value=column, bound=f"a number from 1 to {table.width}{there} in {table.name}"
     )
 
 
@@ -271,9 +273,8 @@ def _with_unit(cell: str, place: str) -> float:
     try:
         return quantity(cell, "rad", place)
     except UnitError as error:
-        why = str(error).rpartition(": ")[2]
         raise RimrollError(
-            f'{place}: an angle must read as 213 or 213 deg, got "{cell}": {why}'
+            f'{place}: an angle must read as 213 or 213 deg, got "{cell}": {error.why}'
         ) from None
 
 

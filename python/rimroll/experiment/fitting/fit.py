@@ -203,11 +203,11 @@ def fit(
     callback("progress", progress)
     confidence = number("confidence", confidence)
     if not 0.5 <= confidence <= 0.9999:
-        raise RimrollError(f"confidence must be between 0.5 and 0.9999, got {confidence}")
+        raise RimrollError(field="confidence", value=confidence, bound="between 0.5 and 0.9999")
     if bias is not None:
         bias = number("bias", bias, "rad")
         if not abs(bias) <= TURN:
-            raise RimrollError(f"bias must be between -2 pi and 2 pi, got {bias} rad")
+            raise RimrollError(field="bias", value=bias, bound="between -2 pi and 2 pi", unit="rad")
     others: list[Predicted] = []
     if predicted is None:
         releases = _releases(body, release, gravity, tilt_rate_error)
@@ -268,7 +268,9 @@ def _releases(
         error = 0.1 * abs(rate)
     error = number("tilt_rate_error", error, "rad/s")
     if not 0.0 <= error < math.inf:
-        raise RimrollError(f"tilt_rate_error must be finite and >= 0, got {error} rad/s")
+        raise RimrollError(
+            field="tilt_rate_error", value=error, bound="finite and >= 0", unit="rad/s"
+        )
     offs = (error, -error) if error > 0.0 else ()
     return [named, *(replace(named, tilt_rate=(rate + off, spread)) for off in offs)]
 
@@ -389,10 +391,12 @@ def _checked(directions: Values) -> Array:
     try:
         data = np.asarray(bare)
     except ValueError:
-        raise RimrollError("directions must be a flat array of angles, got a ragged one") from None
+        raise RimrollError(
+            "must be a flat array of angles, got a ragged one", "directions"
+        ) from None
     if data.ndim != 1 or (data.size and data.dtype.kind not in "iuf"):
         raise RimrollError(
-            f"directions must be a flat array of angles, got shape {data.shape} of {data.dtype}"
+            f"must be a flat array of angles, got shape {data.shape} of {data.dtype}", "directions"
         )
     if len(data) < MIN_FALLS:
         raise RimrollError(
@@ -401,8 +405,11 @@ def _checked(directions: Values) -> Array:
         )
     bad = data[~(np.abs(data) <= 2.0 * TURN)]
     if bad.size:
+        degrees = ": degrees are turned into them by numpy.radians"
         raise RimrollError(
-            f"directions must be radians between -4 pi and 4 pi, got {bad[0]}"
-            + (": degrees are turned into them by numpy.radians" if np.isfinite(bad[0]) else "")
+            field="directions",
+            value=bad[0],
+            bound="radians between -4 pi and 4 pi",
+            hint=degrees if np.isfinite(bad[0]) else "",
         )
     return np.asarray(np.mod(data.astype(np.float64), TURN))

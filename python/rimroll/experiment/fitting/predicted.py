@@ -125,19 +125,21 @@ def predict_falls(
     error = number("reading_error", reading_error, "rad")
     if not MIN_ERROR <= error <= 1.0:
         raise RimrollError(
-            f"reading_error must be between {math.degrees(MIN_ERROR):g} and 57 degrees, got "
-            f"{math.degrees(error):g} degrees"
+            field="reading_error",
+            value=math.degrees(error),
+            bound=f"between {math.degrees(MIN_ERROR):g} and 57 degrees",
+            unit="degrees",
         )
     count, each = whole_number("frictions", frictions), whole_number("falls", falls)
     if count < MIN_FRICTIONS:
-        raise RimrollError(f"frictions must be at least {MIN_FRICTIONS}, got {count}")
+        raise RimrollError(field="frictions", value=count, bound=f"at least {MIN_FRICTIONS}")
     if each < 128:
-        raise RimrollError(f"falls must be at least 128, got {each}")
+        raise RimrollError(field="falls", value=each, bound="at least 128")
     if isinstance(release, str):
         release = Release.named(release, body, gravity)
     if not isinstance(release, Release):
         raise RimrollError(
-            f"release must be a rimroll.Release or the name of a preset, got {release!r}"
+            field="release", value=release, bound="a rimroll.Release or the name of a preset"
         )
     grid = _enough(body, release, gravity) * nodes(count)
     draws = _Draws.of(release, each)
@@ -169,7 +171,7 @@ def predict_falls(
 
 def _checked(outcome: object) -> str | None:
     if outcome not in (None, "toppled", "rocked"):
-        raise RimrollError(f"outcome must be toppled or rocked, got {outcome!r}")
+        raise RimrollError(field="outcome", value=outcome, bound="toppled or rocked")
     return None if outcome is None else str(outcome)
 
 

@@ -27,13 +27,13 @@ def directions_from_summary(
     sides = []
     for name, sign, given in (("left", 1.0, left), ("right", -1.0, right)):
         if not isinstance(given, tuple | list) or len(given) != 3:
-            raise RimrollError(f"{name} must be a mean, a spread and a count, got {given!r}")
+            raise RimrollError(field=name, value=given, bound="a mean, a spread and a count")
         mean, spread, count = given
         n = whole_number(f"{name} count", count)
         mean = number(f"{name} mean", mean, "rad")
         spread = number(f"{name} spread", spread, "rad")
         if not (math.isfinite(mean) and 0.0 <= spread < math.inf):
-            raise RimrollError(f"{name} must be a mean and a spread >= 0, got {mean}, {spread}")
+            raise RimrollError(field=name, value=(mean, spread), bound="a mean and a spread >= 0")
         if n < 2:
             raise RimrollError(f"{name} needs at least 2 falls, got {n}")
         normal = quantiles((np.arange(n) + 0.5) / n)

@@ -128,7 +128,7 @@ def fit_analysis(
     free = fitted_names(given, fit)
     deviation = number("body_error", body_error)
     if not 0.0 <= deviation <= 0.2:
-        raise RimrollError(f"body_error must be from 0 to 0.2, got {deviation:g}")
+        raise RimrollError(field="body_error", value=deviation, bound="from 0 to 0.2")
     most = whole_number("most_collisions", most_collisions)
     chains = chains_of(found)
     first = _model(found, chains, [1] * len(chains), given, free, deviation)
