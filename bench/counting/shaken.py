@@ -30,6 +30,7 @@ class Shaken:
     record: tuple[float, Array]
     """The step (s) and samples (n, 3), none where the table moves by the pulse alone."""
     flat: Any
+    flat_gap: float
     duration: float
     gravity: float
     rtol: float
@@ -56,7 +57,7 @@ class Shaken:
 
     def options(self) -> dict[str, Any]:
         """Options of ``rr.simulate`` and ``rr.shake_many``."""
-        names = ("duration", "gravity", "rtol", "flat")
+        names = ("duration", "gravity", "rtol", "flat", "flat_gap")
         return {name: getattr(self, name) for name in names} | {"max_steps": MAX_STEPS}
 
     def motion(self, jacobian: bool = False) -> rr.Motion:
@@ -84,8 +85,8 @@ class Shaken:
         start = {name: getattr(self.start, name) / slower for name in RATES}
         inertias = (size**2 * body.transverse_inertia, size**2 * body.axial_inertia)
         large = rr.Body(body.mass, size * body.radius, size * body.height, *inertias)
-        duration = slower * self.duration
-        return replace(self.started(**start), body=large, slower=slower, duration=duration)
+        sizes = {"duration": slower * self.duration, "flat_gap": size * self.flat_gap}
+        return replace(self.started(**start), body=large, slower=slower, **sizes)
 
 
 def resistance(kind: str, size: float, body: rr.Body, gravity: float) -> rr.Resistance:
@@ -117,7 +118,9 @@ def draw(seed: int, number: int) -> Shaken:
     landings = ("stop", "smooth_left", "smooth_right", "housner", float(rng.random()))
     flat, rtol = landings[int(rng.integers(5))], float(rng.choice([1e-8, 1e-9, 1e-10]))
     start = _start(rng, body, time, law)
-    shaken = Shaken(body, start, law, pulse, record, flat, 1.0, gravity, rtol)
+    # From the roughness of stone to the flatness of a coarse base; half of the motions have none.
+    gap = radius * decades(rng, 1e-6, 0.1) * float(rng.random() < 0.5)
+    shaken = Shaken(body, start, law, pulse, record, flat, gap, 1.0, gravity, rtol)
     duration = 1.2 * shaken.ground().duration + time * decades(rng, 0.3, 3.0)
     return replace(shaken, duration=duration)
 

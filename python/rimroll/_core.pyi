@@ -190,7 +190,7 @@ def simulate(
     progress: Callable[[float], object] | None,
     jacobian: bool,
     ground: CoreGround | None,
-    flat: tuple[str, float, int],
+    flat: tuple[str, float, int, float],
 ) -> CoreMotion: ...
 
 class CorePolygonMotion:
@@ -242,7 +242,7 @@ def shake_many(
     rtol: float,
     topple_tilt: float | None,
     max_steps: int,
-    flat: tuple[str, float, int],
+    flat: tuple[str, float, int, float],
     threads: int,
     progress: Callable[[int], object] | None,
 ) -> tuple[_Array, BaseException | None]: ...

@@ -181,9 +181,9 @@ def follow(
     except RimrollError as refusal:
         raise rows.placed(refusal, law.name, options.gravity, options.topple_tilt) from None
     columns = _columns(rows, varied, scales, table, words)
-    falls = in_rows(
-        columns, parameters(law.name, asdict(options), law=law.numbers, body=asdict(body))
-    )
+    recorded = asdict(options)
+    del recorded["flat_gap"]
+    falls = in_rows(columns, parameters(law.name, recorded, law=law.numbers, body=asdict(body)))
     if len(table) == count and rows.grid.dims is not None:
         falls = falls.laid_out(rows.grid)
     return unless_stopped(falls, stopped)

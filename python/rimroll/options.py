@@ -22,10 +22,17 @@ class Options:
     rtol: float = 1e-10
     topple_tilt: float | None = None
     max_steps: int = 1_000_000
+    flat_gap: float = 0.0
 
     @classmethod
     def read(
-        cls, duration: object, gravity: object, rtol: object, topple_tilt: object, max_steps: object
+        cls,
+        duration: object,
+        gravity: object,
+        rtol: object,
+        topple_tilt: object,
+        max_steps: object,
+        flat_gap: object = 0.0,
     ) -> Options:
         """Options as users give them; raises ``RimrollError`` for other values."""
         return cls(
@@ -34,11 +41,12 @@ class Options:
             number("rtol", rtol),
             optional("topple_tilt", topple_tilt, "rad"),
             whole_number("max_steps", max_steps),
+            number("flat_gap", flat_gap, "m"),
         )
 
     @property
     def values(self) -> tuple[float, float, float, float | None, int]:
-        """The options in the order of the core's arguments."""
+        """The options of all motions in the order of the core's arguments."""
         return self.duration, self.gravity, self.rtol, self.topple_tilt, self.max_steps
 
 
@@ -48,6 +56,7 @@ def options_of(dataset: xr.Dataset) -> Options:
     Raises ``RimrollError`` for a dataset without them.
     """
     given = {field.name: dataset.attrs.get(field.name) for field in fields(Options)}
+    given["flat_gap"] = dataset.attrs.get("flat_gap", Options.flat_gap)
     for name, value in given.items():
         if value is None and name != "topple_tilt":
             raise not_recorded("options", name)

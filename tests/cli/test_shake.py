@@ -159,6 +159,17 @@ def test_the_default_of_a_flat_landing_is_that_of_fragility(stdout_of, tmp_path)
             assert answer["parameters"]["flat"] == flat
 
 
+def test_a_gap_is_that_of_the_api(stdout_of, column):
+    text = stdout_of(f"shake {COLUMN} --flat-gap 0.1mm --scale 1.2 --json")
+    ground = load(COLUMN).ground.scaled(1.2)
+    law = rr.Coulomb(0.6)
+    motion = shaken(column, ground, law, flat_gap=1e-4, gravity=9.81)
+    answer = json.loads(text)
+    assert answer["parameters"]["flat_gap"] == 1e-4
+    assert answer["shaken"]["max_tilt"] == motion.max_tilt
+    assert answer["losses"]["impact"] == motion.impact_loss[-1] > 0.0
+
+
 def test_simulate_follows_a_file_with_a_ground_too(stdout_of):
     one, other = (
         json.loads(stdout_of(f"{name} {COLUMN} --json")) for name in ("shake", "simulate")
@@ -218,11 +229,13 @@ def test_pictures_and_films_are_written(tmp_path, stdout_of):
         (f"shake {RECORD[0]} --headings 0,90", "headings must be one for each file, 1, got 2"),
         (f"{PULSE} --flat 2", "restitution must be between 0 and 1, got 2"),
         (f"{PULSE} --flat plastic", "must be one of stop, smooth"),
+        (f"shake {COLUMN} --flat-gap 1m", "--flat-gap must be between 0 and 0.05, a tenth of the"),
+        (f"{PULSE} --flat-gap 1kg", "--flat-gap must be a length"),
         (f"{PULSE} --yaw-rate 1", "--yaw-rate is for a body that leans: give a tilt"),
         ("shake --tilt-rate 1", "--tilt 0 a body stands, and --tilt-rate is a knock"),
         ("shake --record nosuch.at2", "nosuch.at2"),
         (f"shake {RECORD[0]} {RECORD[0]}", "are all horizontal|must be perpendicular"),
-        (f"turn {COLUMN}", "[ground] and flat are for rimroll simulate, shake and fragility"),
+        (f"turn {COLUMN}", "[ground], flat and flat_gap are for rimroll simulate, shake"),
     ],
 )
 def test_errors_are_one_line_that_names_the_option(error_of, arguments, message):
@@ -253,10 +266,11 @@ def test_errors_in_a_files_ground_name_the_table(tmp_path, ground, message):
 def test_a_files_ground_and_flat_are_those_of_the_api(tmp_path):
     path = tmp_path / "shaken.toml"
     path.write_text(
-        '[body]\npreset = "coin"\n[simulation]\nflat = ["smooth", 3]\n[ground]\npulse = "cosine"\n'
+        '[body]\npreset = "coin"\n[simulation]\nflat = ["smooth", 3]\nflat_gap = "0.1 mm"\n'
+        '[ground]\npulse = "cosine"\n'
         'amplitude = ["0.3 g", 1, 0]\nperiod = "500 ms"\ncycles = [1, 2, 1]\nscale = 2\n'
     )
     read = load(path)
     assert read.ground == rr.ground.cosine(("0.3 g", 1.0, 0.0), 0.5, (1, 2, 1)).scaled(2.0)
-    assert read.flat == ("smooth", 3)
+    assert read.flat == ("smooth", 3) and read.options.flat_gap == 1e-4
     assert read.options.duration == 1.0 + 10.0 and not read.has_duration

@@ -146,14 +146,15 @@ def record(acceleration, heading, vertical=0.0):
     return rr.ground.sampled(STEP, samples).rotated(heading)
 
 
+@pytest.mark.parametrize("gap", [0.0, 1e-4, 0.01])
 @pytest.mark.parametrize("seed", range(3))
-def test_planar_rocking_is_that_of_an_independent_integration(seed):
+def test_planar_rocking_is_that_of_an_independent_integration(seed, gap):
     rng = np.random.default_rng(seed)
     body = column(rng.uniform(0.12, 0.45))
     tilt = 0.04 if seed == 2 else 0.0
     acceleration = along_a_line(rng, GRAVITY * body.radius / body.height)
     heading = rng.uniform(-3, 3)
-    oracle = PlanarRocking(body, GRAVITY)
+    oracle = PlanarRocking(body, GRAVITY, gap)
     expected, _ = oracle.impacts(acceleration.tolist(), STEP, tilt)
     twin, _ = oracle.impacts((acceleration * (1 + 1e-12)).tolist(), STEP, tilt)
     common = min(len(expected), len(twin))
@@ -170,6 +171,7 @@ def test_planar_rocking_is_that_of_an_independent_integration(seed):
         rtol=1e-13,
         ground=record(acceleration, heading),
         flat="housner",
+        flat_gap=gap,
     )
     times = [event.t for event in motion.events if event.kind == "face_down"]
     assert times[:count] == pytest.approx(expected[:count], rel=0, abs=1e-9)

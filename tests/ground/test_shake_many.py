@@ -135,6 +135,8 @@ def test_a_body_below_the_threshold_of_uplift_stands() -> None:
         ({"grounds": [SINE, SINE], "scale": np.ones(3)}, "arrays must broadcast"),
         ({"scale": np.ones((2, 2))}, "must be flat arrays"),
         ({"flat": "hop"}, "flat must be one of"),
+        ({"flat_gap": "1 m"}, "flat_gap must be between 0 and .*, a tenth of the radius, got 1 m"),
+        ({"flat_gap": "1 s"}, '"s" does not measure a length'),
     ],
 )
 def test_refusals(arguments: dict[str, object], message: str) -> None:

@@ -194,8 +194,10 @@ GROUNDS = {
 def test_a_shaken_motion_comes_back_from_its_file_and_its_pickle_bit_for_bit(
     tmp_path, ground, flat
 ):
-    motion = shaken(ground, rr.State.standing(yaw=0.1), rr.Coulomb(0.5), 4.0, flat=flat)
-    assert len(motion.t) > 10
+    motion = shaken(
+        ground, rr.State.standing(yaw=0.1), rr.Coulomb(0.5), 4.0, flat=flat, flat_gap="1 mm"
+    )
+    assert len(motion.t) > 10 and motion.flat_gap == 1e-3
     path = tmp_path / "motion.nc"
     motion.to_xarray().to_netcdf(path, engine="scipy")
     with xr.open_dataset(path) as read:

@@ -4,11 +4,15 @@ The full nonlinear equation of Housner's problem: about the point of the rim fro
 leans to a side (1 or -1, along the line), J φ̈ = m (side a z - g ρ), with ρ = R cos φ - H sin φ,
 z = R sin φ + H cos φ and J = A + m (R² + H²). In an impact the body goes on about the opposite
 point with φ̇ smaller by the factor (J - 2 m R²)/J. The acceleration a is linear between samples.
+
+With a gap, the impact is where the tilt falls below that at which the opposite point of the rim is
+so far above the table, with the φ̇ that the body would have at the tilt 0; there it goes on. A body
+that cannot reach this tilt any more stands.
 """
 
 from dataclasses import dataclass
 from itertools import pairwise
-from math import cos, hypot, pi, sin
+from math import asin, cos, hypot, pi, sin, sqrt
 
 from scipy.integrate import solve_ivp
 
@@ -32,6 +36,12 @@ class Line:
 class PlanarRocking:
     body: object
     gravity: float
+    gap: float = 0.0
+
+    @property
+    def lowest(self):
+        """The tilt at which the gap is closed, rad."""
+        return asin(self.gap / (2 * self.body.radius))
 
     @property
     def inertia(self):
@@ -80,7 +90,8 @@ class PlanarRocking:
             return state[1], mass * (push - self.gravity * (radius * c - height * s)) / self.inertia
 
         def impact(time, state):
-            return state[0]
+            # A body that turns back below the gap comes down there.
+            return max(state[0] - self.lowest, state[1]) if self.gap else state[0]
 
         impact.terminal, impact.direction = True, -1
         found = solve_ivp(rates, (t, end), state, "DOP853", rtol=1e-13, atol=1e-16, events=impact)
@@ -88,7 +99,10 @@ class PlanarRocking:
 
     def _landed(self, side, state):
         body = self.body
-        speed = -state[1] * (1 - 2 * body.mass * body.radius**2 / self.inertia)
+        lift = body.radius * sin(state[0]) - body.height * (1 - cos(state[0]))
+        gained = 2 * body.mass * self.gravity * lift / self.inertia if self.gap else 0.0
+        factor = 1 - 2 * body.mass * body.radius**2 / self.inertia
+        speed = factor * sqrt(state[1] ** 2 + gained)
         weight = body.mass * self.gravity * body.radius
-        stands = self.inertia * speed**2 / 2 < weight * STANDS
-        return (0 if stands else -side), (0.0, speed)
+        stands = self.inertia * speed**2 / 2 < weight * max(STANDS, sin(self.lowest))
+        return (0, (0.0, 0.0)) if stands else (-side, (0.0, speed))

@@ -42,7 +42,7 @@ def test_shaken_columns_over_scales_and_laws():
         kind="shake",
         body=COLUMN,
         ground={"pulse": "sine", "amplitude": "0.3 g", "period": "1 s"},
-        simulation={"flat": "housner"},
+        simulation={"flat": "housner", "flat_gap": "0.1 mm"},
         axes={
             "law": laws,
             "strength": {"of": "ground.scale", "log_range": [0.5, 3.0], "number": 4},
@@ -54,7 +54,9 @@ def test_shaken_columns_over_scales_and_laws():
     body, ground = rr.bodies.cylinder(0.5, 4.0), rr.ground.sine("0.3 g", 1.0)
     scale = plan.coords["strength"].values
     for k, law in enumerate((rr.Coulomb(0.5), rr.NoSlip())):
-        shaken = rr.shake_many(body, rr.State.standing(), law, ground, scale=scale, flat="housner")
+        shaken = rr.shake_many(
+            body, rr.State.standing(), law, ground, scale=scale, flat="housner", flat_gap=1e-4
+        )
         same(plan, {name: one[4 * k : 4 * k + 4] for name, one in columns.items()}, shaken)
 
 

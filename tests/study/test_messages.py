@@ -146,6 +146,7 @@ WRONG = [
         "[simulation] rtol has no effect",
     ),
     ({"simulation": {"flat": "housner"}}, "[simulation] flat has no effect on kind 'ensemble'"),
+    ({"simulation": {"flat_gap": 1e-4}}, "[simulation] flat_gap has no effect on kind"),
     ({"axes": {"simulation.flat": ["stop"]}}, "[simulation] flat has no effect on kind 'ensemble'"),
     ({"statistics": {}}, "[statistics] is empty"),
     ({"statistics": {"mean": ["outcome"]}}, "mean: outcome is no number: count it"),

@@ -160,11 +160,14 @@ fn numbers(pulse: &Pulse) -> PulseNumbers<&'static str> {
     (kind, pulse.amplitude, period, pulse.duration, center)
 }
 
-/// What follows where the base comes down flat: (kind, restitution, seed).
+/// What follows where the base comes down flat: (kind, restitution, seed, gap in m).
+pub(crate) type FlatArgument = (String, f64, u64, f64);
+
+/// What follows where the base comes down flat, and the gap.
 pub(crate) fn flat_landing(
-    (kind, restitution, seed): &(String, f64, u64),
-) -> PyResult<FlatLanding> {
-    Ok(match kind.as_str() {
+    (kind, restitution, seed, gap): &FlatArgument,
+) -> PyResult<(FlatLanding, f64)> {
+    let flat = match kind.as_str() {
         "stop" => FlatLanding::Stop,
         "housner" => FlatLanding::Housner,
         "restitution" => FlatLanding::Restitution(*restitution),
@@ -175,5 +178,6 @@ pub(crate) fn flat_landing(
             let message = format!("unknown kind of flat landing: {other}");
             return Err(RimrollError::new_err(message));
         }
-    })
+    };
+    Ok((flat, *gap))
 }

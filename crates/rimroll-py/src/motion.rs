@@ -2,7 +2,7 @@
 
 use crate::arguments::{BodyArgument, ContactLawArgument, RimrollError, StateArgument};
 use crate::followed::followed;
-use crate::ground::{CoreGround, flat_landing};
+use crate::ground::{CoreGround, FlatArgument, flat_landing};
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rimroll::motion::{
@@ -308,14 +308,16 @@ pub fn simulate(
     progress: Option<Py<PyAny>>,
     jacobian: bool,
     ground: Option<PyRef<'_, CoreGround>>,
-    flat: (String, f64, u64),
+    flat: FlatArgument,
 ) -> PyResult<CoreMotion> {
+    let (flat, flat_gap) = flat_landing(&flat)?;
     let options = Options {
         duration,
         gravity,
         rtol,
         topple_tilt,
-        flat: flat_landing(&flat)?,
+        flat,
+        flat_gap,
         max_steps,
     };
     let ground = ground.map(|ground| Arc::clone(&ground.ground));

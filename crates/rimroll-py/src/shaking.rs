@@ -2,7 +2,7 @@
 
 use crate::arguments::{BodiesArgument, ContactLawArgument, VariedArgument, of_row, refusal};
 use crate::ensemble::StartsArgument;
-use crate::ground::{CoreGround, flat_landing};
+use crate::ground::{CoreGround, FlatArgument, flat_landing};
 use crate::watched::in_threads;
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyIndexError;
@@ -141,16 +141,18 @@ pub fn shake_many<'py>(
     rtol: f64,
     topple_tilt: Option<f64>,
     max_steps: usize,
-    flat: (String, f64, u64),
+    flat: FlatArgument,
     threads: usize,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(Bound<'py, PyArray2<f64>>, Option<PyErr>)> {
+    let (flat, flat_gap) = flat_landing(&flat)?;
     let options = Options {
         gravity,
         rtol,
         topple_tilt,
         max_steps,
-        flat: flat_landing(&flat)?,
+        flat,
+        flat_gap,
         ..Options::default()
     };
     let parts = shakings.parts()?;

@@ -85,6 +85,11 @@ pub enum EndingKind {
     LiftedOff,
     /// The base comes down flat without any sideways motion.
     FaceDown,
+    /// The base comes down flat over a gap.
+    GapClosed {
+        /// [`Options::flat_gap`](crate::Options::flat_gap), m.
+        gap: f64,
+    },
     /// The tilt falls below [`FACE_DOWN_TILT`].
     TooFlat,
     /// Resistance has stopped the contact point on the rim, and the base comes down flat.
@@ -137,9 +142,10 @@ impl Ending {
                 Status::Toppled
             }
             EndingKind::LiftedOff => Status::LiftedOff,
-            EndingKind::FaceDown | EndingKind::TooFlat | EndingKind::StoppedRunning { .. } => {
-                Status::FaceDown
-            }
+            EndingKind::FaceDown
+            | EndingKind::GapClosed { .. }
+            | EndingKind::TooFlat
+            | EndingKind::StoppedRunning { .. } => Status::FaceDown,
             EndingKind::AtRest { .. } => Status::AtRest,
             EndingKind::Painleve { .. } => Status::Painleve,
             EndingKind::OutOfSteps { .. } | EndingKind::NoStep => Status::Failed,
@@ -179,6 +185,12 @@ impl Ending {
                 "face down at t = {t} s: resistance has stopped the contact point on the rim, and the base comes \
                  down flat, tilting at {tilt_rate:.4} rad/s and spinning about its axis at {axial_spin:.4} rad/s. \
                  Rigid-body mechanics does not say what follows from simultaneous impacts at every point of it"
+            ),
+            EndingKind::GapClosed { gap } => format!(
+                "face down at t = {t} s: the opposite point of the rim is {} m above the table, the gap below which \
+                 the base comes down flat, and rigid-body mechanics does not say what follows from simultaneous \
+                 impacts at every point of it",
+                formatted(gap)
             ),
             EndingKind::TooFlat => format!(
                 "face down at t = {t} s: the tilt falls below {}, where the contact point \

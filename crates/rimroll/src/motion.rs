@@ -202,7 +202,8 @@ fn prepared(
     contact_law.check()?;
     let options = options.checked_standing_or_tilted(body, start)?;
     let (gravity, tolerance) = (options.gravity, options.step_tolerance());
-    let contacts = Contacts::on_table(body, contact_law, ground, gravity, tolerance);
+    let contacts = Contacts::on_table(body, contact_law, ground, gravity, tolerance)
+        .with_flat_gap(options.flat_gap);
     let mut start: Coordinates<f64> = contact_law.friction.start(start)?;
     if contacts.moves() && contact_law.friction == FrictionLaw::Frictionless {
         // Only on a table that moves is the slip without friction a coordinate.

@@ -22,7 +22,9 @@ def show(study: Study, paths: list[Path]) -> None:
     rocking, what = study.rocking, study.request
     prose(body_line(what.name, what.body))
     law = f"{in_words(what.law)}; {start_in_words(rocking.start, what.options.gravity)}"
-    prose(f"{law}; where the base comes down flat: {rocking.flat}")
+    gap = rocking.options.flat_gap
+    below = f", below a gap of {1e3 * gap:g} mm" if gap else ""
+    prose(f"{law}; where the base comes down flat{below}: {rocking.flat}")
     prose(_records_in_words(study))
     say()
     say(_table(study))

@@ -131,6 +131,15 @@ class ShakenOptions(MotionOptions):
         str | None,
         _given("Duration of the motion. [10 s longer than the ground]", "TIME", (), "Motion"),
     ] = None
+    flat_gap: Annotated[
+        str | None,
+        _given(
+            "The base comes down flat also where its far side is this far above the table. [0]",
+            "LENGTH",
+            (),
+            "Table",
+        ),
+    ] = None
 
 
 def body_and_records(body: BodyOptions, files: Sequence[Path]) -> tuple[BodyOptions, list[Path]]:

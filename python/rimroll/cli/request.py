@@ -118,9 +118,9 @@ def _shaken(
     ground = scenario.ground if scenario else None
     has_flat = bool(scenario and scenario.has_flat)
     if shaking is None:
-        if ground is not None or has_flat:
+        if ground is not None or has_flat or (scenario and scenario.options.flat_gap):
             raise RimrollError(
-                f"{file}: [ground] and flat are for rimroll simulate, shake and fragility"
+                f"{file}: [ground], flat and flat_gap are for rimroll simulate, shake and fragility"
             )
         return None, "stop"
     if shaking.ground is not None:
@@ -237,11 +237,11 @@ def _start(given: dict[str, float], start: State | None) -> State | None:
 
 
 def _options(motion: MotionOptions, options: Options) -> Options:
-    units = {"duration": "s", "gravity": "m/s^2", "topple_tilt": "rad"}
+    units = {"duration": "s", "gravity": "m/s^2", "topple_tilt": "rad", "flat_gap": "m"}
     given: dict[str, float] = {
         name: _read(name, text, unit)
         for name, unit in units.items()
-        if (text := getattr(motion, name)) is not None
+        if (text := getattr(motion, name, None)) is not None
     }
     if motion.rtol is not None:
         given["rtol"] = motion.rtol

@@ -60,13 +60,13 @@ def flat_as_text(flat: FlatLanding) -> str | float:
     return ":".join(map(str, flat)) if isinstance(flat, tuple) else flat
 
 
-def flat_in_core(flat: FlatLanding) -> tuple[str, float, int]:
-    """A flat landing as the core takes it: its kind, the restitution and the seed."""
+def flat_in_core(flat: FlatLanding, gap: float) -> tuple[str, float, int, float]:
+    """A flat landing as the core takes it: its kind, the restitution, the seed and the gap, m."""
     if isinstance(flat, str):
-        return flat, 0.0, 0
+        return flat, 0.0, 0, gap
     if isinstance(flat, tuple):
-        return flat[0], 0.0, flat[1]
-    return "restitution", float(flat), 0
+        return flat[0], 0.0, flat[1], gap
+    return "restitution", float(flat), 0, gap
 
 
 def ground_given(ground: object) -> Ground | None:

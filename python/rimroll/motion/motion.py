@@ -50,7 +50,7 @@ class Motion(Moments):
 
     Attributes
     ----------
-    body, start, law, duration, gravity, rtol, topple_tilt, max_steps, ground, flat
+    body, start, law, duration, gravity, rtol, topple_tilt, max_steps, ground, flat, flat_gap
         What it was computed from.
     status
         ``finished``, ``toppled``, ``lifted_off``, ``face_down``, ``at_rest``, ``painleve`` or
@@ -82,6 +82,7 @@ class Motion(Moments):
         self._has_jacobian = has_jacobian
         self.ground = ground
         self.flat = flat
+        self.flat_gap = options.flat_gap
 
     @cached_property
     def _table(self) -> Array:  # type: ignore[override]
@@ -485,6 +486,10 @@ class Motion(Moments):
         """
         from rimroll.browser.view import lab
 
+        if self.flat_gap:
+            raise RimrollError(
+                field="flat_gap", value=self.flat_gap, bound="0 in the lab", unit="m"
+            )
         return lab(
             self.body,
             self.start,
@@ -591,6 +596,6 @@ def follow(
         progress,
         has_jacobian,
         None if ground is None else ground.core,
-        flat_in_core(flat),
+        flat_in_core(flat, options.flat_gap),
     )
     return Motion(core, body, start, law, options, has_jacobian, ground, flat)

@@ -50,6 +50,7 @@ def simulate(
     max_steps: int = 1_000_000,
     ground: Ground | None = None,
     flat: FlatLanding | None = None,
+    flat_gap: Number = 0.0,
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
 ) -> Motion: ...
@@ -67,6 +68,7 @@ def simulate(
     max_steps: int = 1_000_000,
     ground: Ground | None = None,
     flat: FlatLanding | None = None,
+    flat_gap: Number = 0.0,
     restitution: float = 0.0,
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
@@ -117,6 +119,12 @@ def simulate(
         where a resistance has stopped the contact point, so that the base comes down flat; but with
         ``stop`` and ``smooth`` a body comes to rest if it has fallen from a tilt at which the
         resistance still holds the contact point.
+    flat_gap
+        The base comes down flat also where the tilt falls below that at which the opposite point of
+        the rim is this far above the table, m: from 0, which means never, to a tenth of the radius.
+        It goes on in the direction in which the axis moves, with the energy that it has; ``smooth``
+        runs to the side of the yaw rate. On the way up nothing happens at this tilt, and a body
+        whose energy does not suffice to reach it stands.
     restitution
         Restitution in the impacts of a body with corners, 0 (plastic) to 1 (no energy is lost in
         the normal direction). That of a round body belongs to its law: ``Coulomb(0.3,
@@ -151,21 +159,21 @@ def simulate(
     ------
     RimrollError
         A number outside its bounds, or a start of arrays; derivatives of a motion whose base comes
-        down flat with ``smooth`` under friction or resistance, or that passes through upright in
-        flight.
+        down flat with ``smooth`` under friction or resistance, or from below ``flat_gap``, or that
+        passes through upright in flight.
     """
     if not isinstance(body, PolygonalBody):
         one_body(body)
     expect("start", start, State)
     one_law(law)
-    options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
+    options = Options.read(duration, gravity, rtol, topple_tilt, max_steps, flat_gap)
     if isinstance(body, PolygonalBody):
         from rimroll.polygon.motion import follow as follow_corners
 
-        if ground is not None or flat not in (None, "stop") or jacobian:
+        if ground is not None or flat not in (None, "stop") or options.flat_gap or jacobian:
             raise RimrollError(
-                "a body with corners takes no ground, flat or jacobian: its table is level and at"
-                " rest. rimroll.Body, with a round rim, takes them"
+                "a body with corners takes no ground, flat, flat_gap or jacobian: its table is"
+                " level and at rest. rimroll.Body, with a round rim, takes them"
             )
         callback("progress", progress)
         bounce = number("restitution", restitution)

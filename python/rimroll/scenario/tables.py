@@ -161,6 +161,7 @@ class SimulationTable(Table):
     topple_tilt: Tilt | None = None
     max_steps: Annotated[int, Field(gt=0, le=MAX_STEPS)] = Options.max_steps
     flat: Any = None
+    flat_gap: Annotated[float, in_unit("m")] = Options.flat_gap
 
 
 def in_three(unit: str) -> BeforeValidator:

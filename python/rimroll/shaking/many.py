@@ -104,6 +104,7 @@ def shake_many(
     topple_tilt: Number | None = None,
     max_steps: int = 1_000_000,
     flat: FlatLanding = ON_MOVING_TABLES,
+    flat_gap: Number = 0.0,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> xr.Dataset:
@@ -129,7 +130,7 @@ def shake_many(
         Length of the motion, s: a number, (n,) or a data array. By default it is the
         duration of the ground and a further 20/p with the body's :func:`rimroll.rocking_frequency`
         p, in which nearly every body that overturns falls over.
-    gravity, rtol, topple_tilt, max_steps, flat
+    gravity, rtol, topple_tilt, max_steps, flat, flat_gap
         As for :func:`rimroll.simulate`.
     threads
         Number of threads; by default one for each processor.
@@ -163,7 +164,7 @@ def shake_many(
         grounds,
         scale=scale,
         duration=duration,
-        options=Options.read(1.0, gravity, rtol, topple_tilt, max_steps),
+        options=Options.read(1.0, gravity, rtol, topple_tilt, max_steps, flat_gap),
         flat=flat,
         threads=threads,
         progress=progress,
@@ -193,7 +194,7 @@ def follow_shaken(
     contact_law(law)
     workers = thread_count(threads)
     callback("progress", progress)
-    landing = flat_in_core(flat_given(flat))
+    landing = flat_in_core(flat_given(flat), options.flat_gap)
     scales, durations = _positive("scale", scale), duration
     _expect_scales(scales)
     if durations is not None:

@@ -171,6 +171,7 @@ def random_maxima(
     yaw_noise: Number = 0.0,
     seed: int = 0,
     flat: FlatLanding = ON_MOVING_TABLES,
+    flat_gap: Number = 0.0,
     gravity: Number = _core.STANDARD_GRAVITY,
     rtol: float = 1e-8,
     threads: int | None = None,
@@ -186,7 +187,7 @@ def random_maxima(
         The test: single ones.
     count, tilt_noise, yaw_noise, seed
         As for :func:`rimroll.imperfect_starts`.
-    flat, gravity, rtol, threads, progress
+    flat, flat_gap, gravity, rtol, threads, progress
         As for :func:`rimroll.shake_many`.
     """
     one_body(body)
@@ -199,7 +200,7 @@ def random_maxima(
         ground,
         scale=1.0,
         duration=None,
-        options=Options.read(1.0, gravity, rtol, None, 1_000_000),
+        options=Options.read(1.0, gravity, rtol, None, 1_000_000, flat_gap),
         flat=flat,
         threads=threads,
         progress=progress,

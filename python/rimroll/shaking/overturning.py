@@ -44,6 +44,7 @@ def overturning_scale(
     *,
     precision: Number = 1e-4,
     flat: FlatLanding = ON_MOVING_TABLES,
+    flat_gap: Number = 0.0,
     gravity: Number = _core.STANDARD_GRAVITY,
     rtol: float = 1e-8,
     threads: int | None = None,
@@ -64,7 +65,7 @@ def overturning_scale(
         The factors that are tried (n,), in increasing order.
     precision
         The relative width of the interval in which the factor is then known.
-    flat, gravity, rtol, threads
+    flat, flat_gap, gravity, rtol, threads
         As for :func:`rimroll.shake_many`; by default an impact of the whole base is plastic.
 
     Returns
@@ -94,7 +95,7 @@ def overturning_scale(
     width = number("precision", precision)
     if not 1e-12 <= width <= 0.5:
         raise RimrollError(field="precision", value=width, bound="between 1e-12 and 0.5")
-    options = Options.read(1.0, gravity, rtol, None, 1_000_000)
+    options = Options.read(1.0, gravity, rtol, None, 1_000_000, flat_gap)
 
     def follow(chosen: list[Ground], factors: Array) -> Falls:
         return follow_shaken(
@@ -208,6 +209,7 @@ def overturning_spectrum(
     start: State | None = None,
     precision: Number = 1e-4,
     flat: FlatLanding = ON_MOVING_TABLES,
+    flat_gap: Number = 0.0,
     gravity: Number = _core.STANDARD_GRAVITY,
     rtol: float = 1e-8,
     threads: int | None = None,
@@ -228,7 +230,7 @@ def overturning_spectrum(
         The a_p/(g tan α) that are tried (k,), in increasing order; by default 60 from 1 to 30. The
         overturning region need not be connected: the result is the least amplitude, and a region
         that is narrower than the step between two of these may be missed.
-    law, start, precision, flat, gravity, rtol, threads
+    law, start, precision, flat, flat_gap, gravity, rtol, threads
         As for :func:`rimroll.overturning_scale`. By default the rim does not slip, the body stands
         flat at first, and an impact of the whole base is plastic.
 
@@ -260,6 +262,7 @@ def overturning_spectrum(
         unit * tried,
         precision=precision,
         flat=flat,
+        flat_gap=flat_gap,
         gravity=g,
         rtol=rtol,
         threads=threads,

@@ -80,6 +80,7 @@ def rocking_spectrum(
     law: Law | None = None,
     start: State | None = None,
     flat: FlatLanding = ON_MOVING_TABLES,
+    flat_gap: Number = 0.0,
     gravity: Number = _core.STANDARD_GRAVITY,
     rtol: float = 1e-8,
     threads: int | None = None,
@@ -99,7 +100,7 @@ def rocking_spectrum(
     law, start, flat
         By default the rim does not slip, the bodies stand flat at first, and an impact of the whole
         base is plastic (Housner 1963), as in planar rocking spectra (Makris & Konstantinidis 2003).
-    gravity, rtol, threads, progress
+    flat_gap, gravity, rtol, threads, progress
         As for :func:`rimroll.shake_many`.
 
     Raises
@@ -120,7 +121,7 @@ def rocking_spectrum(
         ground,
         scale=1.0,
         duration=None,
-        options=Options.read(1.0, g, rtol, None, 1_000_000),
+        options=Options.read(1.0, g, rtol, None, 1_000_000, flat_gap),
         flat=flat,
         threads=threads,
         progress=progress,

@@ -37,6 +37,7 @@ def targets() -> Mapping[str, str | None]:
         "simulation.rtol": "1",
         "simulation.topple_tilt": "rad",
         "simulation.flat": None,
+        "simulation.flat_gap": "m",
     }
 
 

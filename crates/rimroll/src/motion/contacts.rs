@@ -1,10 +1,12 @@
 //! The laws of the possible contacts between rim and table, and the transitions between them.
 
+use super::flat_landing::on_first_face;
 use super::instant::{Instant, Phase};
-use super::level_base::LevelBase;
+use super::level_base::{FLAT_TILT, LevelBase};
 use super::phase_dynamics::PhaseDynamics;
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
+use crate::ending::FACE_DOWN_TILT;
 use crate::error_scale::ErrorScale;
 use crate::ground::Ground;
 use crate::impact;
@@ -37,6 +39,9 @@ pub(crate) enum Transition {
 /// of any surface.
 pub const STANDING_TILT: f64 = 1e-7;
 
+/// A fall at a lower rate may be a rounding error, in units of √(g/R).
+const SIGNIFICANT_FALL: f64 = 1e-11;
+
 impl Transition {
     /// The phase that follows.
     pub(super) fn phase(self) -> Phase {
@@ -58,6 +63,8 @@ pub struct Contacts {
     /// The tolerance of a step.
     tolerance: f64,
     phases: PhaseDynamics<f64>,
+    /// See [`Options::flat_gap`](super::options::Options::flat_gap), m.
+    flat_gap: f64,
 }
 
 impl Contacts {
@@ -92,7 +99,48 @@ impl Contacts {
             contact_law,
             tolerance,
             ground,
+            flat_gap: 0.0,
         }
+    }
+
+    /// These equations for a base that comes down flat at a gap, m.
+    pub(super) fn with_flat_gap(self, flat_gap: f64) -> Contacts {
+        Contacts { flat_gap, ..self }
+    }
+
+    /// See [`Options::flat_gap`](super::options::Options::flat_gap), m.
+    pub(super) fn flat_gap(&self) -> f64 {
+        self.flat_gap
+    }
+
+    /// sin φ where the opposite point of the rim is that far above the table.
+    pub(super) fn sine_at_gap(&self) -> f64 {
+        self.flat_gap / (2.0 * self.parameters.r)
+    }
+
+    /// sin φ below which the base counts as flat without a gap.
+    fn flat_sine(&self) -> f64 {
+        if self.moves() {
+            FLAT_TILT
+        } else {
+            FACE_DOWN_TILT
+        }
+    }
+
+    /// Whether a gap under the base of a rim on the table decides when it comes down flat.
+    pub(super) fn has_gap(&self, phase: Phase) -> bool {
+        self.sine_at_gap() > self.flat_sine() && phase != Phase::Flying
+    }
+
+    /// An event function: negative where the base is flat, or where the tilt falls below that at which the gap closes.
+    pub(super) fn height_over_flat(&self, phase: Phase, u: &Coordinates<f64>) -> f64 {
+        if self.has_gap(phase) {
+            return (u.sin - self.sine_at_gap()).max(SIGNIFICANT_FALL - self.falling_rate(u));
+        }
+        if self.moves() && !self.is_falling(u) {
+            return 1.0;
+        }
+        u.sin - self.flat_sine()
     }
 
     /// These equations with the same friction, but without resistance.
@@ -240,9 +288,20 @@ impl Contacts {
 
     /// Whether the tilt falls at a rate beyond rounding.
     pub(super) fn is_falling(&self, u: &Coordinates<f64>) -> bool {
-        const SIGNIFICANT: f64 = 1e-11;
+        self.falling_rate(u) > SIGNIFICANT_FALL
+    }
+
+    /// Whether a disk lies on its other face under a law that keeps it in place. With its other face down it does not wobble in
+    /// place, but turns about the axis as it falls, and what follows is not determined.
+    pub(super) fn turns_on_other_face(&self, u: &Coordinates<f64>) -> bool {
+        u.cos < 0.0 && self.contact_law.friction == FrictionLaw::InPlace
+    }
+
+    /// The rate at which the face that is down falls, in units of √(g/R).
+    fn falling_rate(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
-        u.p < -SIGNIFICANT * (k.g / k.r).sqrt()
+        let rate = if u.cos < 0.0 { u.p } else { -u.p };
+        rate * (k.r / k.g).sqrt()
     }
 
     /// An event function on a table that moves. It is negative where the tilt falls and the energy of tilting does not
@@ -250,7 +309,7 @@ impl Contacts {
     /// table shakes it too much for that, it begins to rock anew, in the direction in which it is shaken then.
     pub(super) fn excess_over_standing(&self, u: &Coordinates<f64>) -> f64 {
         let k = &self.parameters;
-        if !self.is_falling(u) || u.cos < 0.0 || !LevelBase::new(self, u.yaw).is_pressed(u.t) {
+        if !self.is_falling(u) || !LevelBase::new(self, u.yaw).is_pressed(u.t) {
             return 1.0;
         }
         tilting_energy_over_standing(k, u)
@@ -263,6 +322,14 @@ impl Contacts {
         0.5 * inertia * u.p * u.p < k.m * k.g * k.r * STANDING_TILT
     }
 
+    /// Whether a body at the beginning of its rocking has too little energy to reach the tilt at which the gap closes.
+    pub(super) fn stays_below_gap(&self, at: &Instant) -> bool {
+        let k = &self.parameters;
+        let height = if at.phase == Phase::Rolling { k.h } else { 0.0 };
+        let inertia = k.a + k.m * (k.r * k.r + height * height);
+        0.5 * inertia * at.p * at.p < k.m * k.g * k.r * self.sine_at_gap()
+    }
+
     /// Whether resistance has stopped the motion of the contact point along the rim for good, so that the
     /// tilt falls to zero and does not rise again.
     ///
@@ -272,7 +339,8 @@ impl Contacts {
     /// where there is no resistance; the other sign is decisive then.
     pub(super) fn has_stopped_running(&self, phase: Phase, u: &Coordinates<f64>) -> bool {
         const MIN_RATIO: f64 = 100.0;
-        if u.p >= 0.0 || u.w.abs() > 0.5 * u.p.abs() {
+        if self.falling_rate(u) <= 0.0 || u.w.abs() > 0.5 * u.p.abs() || self.turns_on_other_face(u)
+        {
             return false;
         }
         self.running_deceleration(phase, u) > MIN_RATIO * u.p * u.p
@@ -285,7 +353,11 @@ impl Contacts {
         let energy = tilting_energy(k, &Coordinates { w: 0.0, ..at.u });
         let sin = (energy / (k.m * k.g * k.r)).min(1.0);
         let cos = (1.0 - sin * sin).sqrt();
-        let there = Coordinates { sin, cos, ..at.u };
+        let there = Coordinates {
+            sin,
+            cos,
+            ..on_first_face(at)
+        };
         self.running_deceleration(at.phase, &there) > there.p * there.p
     }
 

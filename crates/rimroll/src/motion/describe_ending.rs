@@ -26,6 +26,12 @@ pub(super) fn describe_ending(
         Status::Toppled if end.phase == Phase::Flying => EndingKind::ToppledInTheAir,
         Status::Toppled => EndingKind::Toppled,
         Status::LiftedOff => EndingKind::LiftedOff,
+        Status::FaceDown
+            if last_event == Some(TerminalEvent::Flat) && contacts.flat_gap() > 0.0 =>
+        {
+            let gap = contacts.flat_gap();
+            EndingKind::GapClosed { gap }
+        }
         Status::FaceDown if end.w == 0.0 && end.s == 0.0 => EndingKind::FaceDown,
         Status::FaceDown if last_event == Some(TerminalEvent::StoppedRunning) => {
             EndingKind::StoppedRunning {

@@ -4,7 +4,6 @@ use super::contacts::{Contacts, STANDING_TILT};
 use super::event::{Event, EventKind};
 use super::event_exclusion::{EventExclusion, are_clear};
 use super::instant::{Instant, Phase};
-use super::level_base::FLAT_TILT;
 use super::options::Options;
 use super::step_record::{Polynomial, StepRecord};
 use super::topple_tilt::ToppleTilt;
@@ -363,8 +362,9 @@ impl<'a> EventDetector<'a> {
     #[inline(always)]
     fn excludes_ideal_endings(&self, bounds: &EventExclusion, end: f64) -> bool {
         let upright = |topple: ToppleTilt<f64>| bounds.stays_above(0.0, |u| topple.below(u));
+        let flat = self.contacts.sine_at_gap().max(FACE_DOWN_TILT);
         bounds.end().t < end
-            && bounds.stays_above(FACE_DOWN_TILT, |u| u.sin)
+            && bounds.stays_above(flat, |u| u.sin)
             && self.topple.is_none_or(upright)
             && bounds.keeps_contact(self.contacts.parameters())
     }
@@ -436,6 +436,24 @@ impl<'a> EventDetector<'a> {
             && turns::end_of_first_turn(self.started_on_first_face, &self.events).is_some()
     }
 
+    /// The event function between `from` and the next sample.
+    fn function_from(
+        &self,
+        from: &Sample,
+        event: TerminalEvent,
+        phase: Phase,
+        u: &Coordinates<f64>,
+    ) -> f64 {
+        // A tilt falls as far as its minimum, where rounding decides on the sign of its rate.
+        if event == TerminalEvent::Flat
+            && self.contacts.has_gap(phase)
+            && self.contacts.is_falling(&from.u)
+        {
+            return u.sin - self.contacts.sine_at_gap();
+        }
+        self.event_function(event, phase, u)
+    }
+
     /// The event function: it changes sign at the event.
     fn event_function(&self, event: TerminalEvent, phase: Phase, u: &Coordinates<f64>) -> f64 {
         let dynamics = self.contacts.dynamics(phase);
@@ -450,8 +468,7 @@ impl<'a> EventDetector<'a> {
                 self.contacts.scaled_normal_force(u)
             }
             TerminalEvent::LiftOff => dynamics.contact(u).normal,
-            TerminalEvent::Flat if self.contacts.moves() => self.height_over_flat(u),
-            TerminalEvent::Flat => u.sin - FACE_DOWN_TILT,
+            TerminalEvent::Flat => self.contacts.height_over_flat(phase, u),
             TerminalEvent::StoppedRunning => self.excess_over_stopped(phase, u),
             TerminalEvent::SlipOnset => self.contacts.friction_cone_margin(u),
             TerminalEvent::SlipEnd => u.slip_speed() - self.contacts.stopped_speed(u),
@@ -460,15 +477,6 @@ impl<'a> EventDetector<'a> {
             TerminalEvent::Corner => u.t - self.corner,
             TerminalEvent::Rest if self.contacts.moves() => self.contacts.excess_over_standing(u),
             TerminalEvent::Rest => energy_above_rest(dynamics, u) - REST_ENERGY * self.start_energy,
-        }
-    }
-
-    /// The event function of [`TerminalEvent::Flat`] on a table that moves.
-    fn height_over_flat(&self, u: &Coordinates<f64>) -> f64 {
-        if self.contacts.is_falling(u) {
-            u.sin - FLAT_TILT
-        } else {
-            1.0
         }
     }
 
@@ -547,14 +555,16 @@ impl<'a> EventDetector<'a> {
         to: &Sample,
     ) -> Option<(TerminalEvent, f64)> {
         self.terminal_events(phase)
-            .filter(|&(event, before)| before * self.event_function(event, phase, &to.u) <= 0.0)
+            .filter(|&(event, before)| {
+                before * self.function_from(from, event, phase, &to.u) <= 0.0
+            })
             // A slip that has just begun is slow, but it does not end.
             .filter(|&(event, _)| {
                 event != TerminalEvent::SlipEnd || to.u.slip_speed() < from.u.slip_speed()
             })
             .map(|(event, _)| {
                 let level = |u: &[f64; COORDINATES]| {
-                    self.event_function(event, phase, &Coordinates::from_array(u))
+                    self.function_from(from, event, phase, &Coordinates::from_array(u))
                 };
                 let from = match event {
                     TerminalEvent::Land => fraction_with_gap(dense, from.x, to.x),

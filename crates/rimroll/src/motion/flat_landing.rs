@@ -2,15 +2,17 @@
 
 use super::instant::LEVEL_PHASES;
 use super::level_base::UPLIFT_TILT;
+use crate::body::Body;
 use crate::error::{InvalidInput, bounded};
 use crate::ground::random_bits;
-use crate::law::Parameters;
+use crate::law::{Dynamics, DynamicsExt, FrictionLaw, Parameters};
+use crate::number_format::formatted;
 use crate::real::{Real, Scalar};
 use crate::state::Coordinates;
 use core::f64::consts::PI;
 
 /// The motion after the whole base has come down flat at once: in a plane, or because a resistance has stopped the contact
-/// point on the rim. A base that has stopped like that comes to rest if the resistance would hold the contact point even at
+/// point on the rim, or below a gap ([`Options::flat_gap`](crate::Options::flat_gap)). A base that has stopped like that comes to rest if the resistance would hold the contact point even at
 /// the tilt from which the base fell: under [`Smooth`](Self::Smooth), and on a table that moves also under
 /// [`Stop`](Self::Stop).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -22,11 +24,13 @@ pub enum FlatLanding {
     /// lost to the side or to resistances. The side to which it runs is not determined by the motion.
     Smooth(Side),
     /// A plastic collision with the opposite point of the rim (G. W. Housner, Bull. Seismol. Soc. Am. 53, 1963). The
-    /// body goes on to rock about that point. A rim that rolls does not slip in the collision either, so that
-    /// φ̇ falls by the factor (A + mH² − mR²)/(A + mH² + mR²); a rim that slides suffers no impulse of friction, and
-    /// the factor is (A − mR²)/(A + mR²).
+    /// body goes on to rock about that point. A rim that rolls does not slip in the collision either, so that the angular
+    /// momentum about that point stays the same: φ̇ falls by the factor (A + mH² − mR²)/(A + mH² + mR²), and the spin s
+    /// about the axis changes by (C − mR²)/(C + mR²). A rim that slides suffers no impulse of friction: it keeps s, and the
+    /// factor of φ̇ is (A − mR²)/(A + mR²).
     Housner,
-    /// φ̇ falls by this factor, from 0 to 1, and the body goes on to rock about the opposite point of the rim.
+    /// φ̇ falls by this factor, from 0 to 1, and the body goes on to rock about the opposite point of the rim, with the spin
+    /// after a plastic collision.
     Restitution(f64),
 }
 
@@ -59,6 +63,25 @@ impl FlatLanding {
     }
 }
 
+/// Refuses a gap (m) under a base that comes down flat unless it is small beside the radius and, without the crate's
+/// feature `ground`, unless it is 0.
+pub(super) fn check_gap(gap: f64, body: &Body) -> Result<(), InvalidInput> {
+    // The tilt at which the base comes down flat has to be small.
+    let largest = if LEVEL_PHASES {
+        0.1 * body.radius()
+    } else {
+        0.0
+    };
+    if (0.0..=largest).contains(&gap) {
+        return Ok(());
+    }
+    let bound = format!(
+        "between 0 and {}, a tenth of the radius",
+        formatted(largest)
+    );
+    bounded("flat_gap", gap, |_| false, &bound, "m").map(drop)
+}
+
 impl Side {
     /// The sign of the yaw's change in the landing number `landing`.
     pub(super) fn sign(self, landing: u64) -> f64 {
@@ -88,8 +111,106 @@ pub(super) fn plastic_factor<T: Real>(k: &Parameters<T>, rolls: bool) -> T {
     factor.max(T::from(0.0))
 }
 
-/// The body that begins to rock about the opposite point of the rim, with φ̇ multiplied by a factor. A rim that slides
-/// keeps the horizontal `velocity` (m/s, along e_x1 and e_y1) of the centre of mass, and its axial spin.
+/// The same motion of a disk whose other face comes down, with this face as the first one: the axis has the opposite
+/// direction. Other bodies stay as they are.
+pub(super) fn on_first_face<T: Scalar>(u: &Coordinates<T>) -> Coordinates<T> {
+    if u.cos.value() < 0.0 {
+        turned_over(u, PI)
+    } else {
+        *u
+    }
+}
+
+/// The motion of a body on its first face, with the face down that is down in `at`.
+pub(super) fn on_face_of<T: Scalar>(at: &Coordinates<T>, u: &Coordinates<T>) -> Coordinates<T> {
+    if at.cos.value() < 0.0 {
+        turned_over(u, -PI)
+    } else {
+        *u
+    }
+}
+
+/// The motion of a disk described with the opposite direction of its axis, which changes the yaw by half a turn.
+fn turned_over<T: Real>(u: &Coordinates<T>, half_turn: f64) -> Coordinates<T> {
+    Coordinates {
+        yaw: u.yaw + T::from(half_turn),
+        spin: -u.spin,
+        cos: -u.cos,
+        p: -u.p,
+        s: -u.s,
+        x1: -u.x1,
+        y1: -u.y1,
+        slip_x: -u.slip_x,
+        slip_y: -u.slip_y,
+        ..*u
+    }
+}
+
+/// The body at the end of a fall over the gap below a small tilt, which takes no time and costs no energy.
+///
+/// The tilt as a vector (φ cos ψ, φ sin ψ) has the velocity (φ̇, w) along e_x1 and e_y1. The base comes down in this
+/// direction, so that the contact point is then where the direction points to. As in a near-collision, the angular momentum
+/// about the vertical through the contact point stays the same under a rim that rolls, and that about the axis under one
+/// that slides; a body that wobbles in place does not turn. A rim that rolls keeps its footprint, and one that slides the place and the horizontal velocity of its
+/// centre of mass. Of w only the sign remains, as that of the least number.
+pub(super) fn fallen<T: Scalar>(
+    dynamics: &dyn Dynamics<T>,
+    friction: &FrictionLaw,
+    rolls: bool,
+    at: &Coordinates<T>,
+) -> Coordinates<T> {
+    let k = dynamics.parameters();
+    let (zero, least) = (T::from(0.0), T::from(f64::MIN_POSITIVE));
+    // A body that falls back from below the gap begins its fall at rest.
+    let change = (-at.w).atan2((-at.p).max(least));
+    let (sin, cos) = change.sin_cos();
+    let turned = |[x, y]: [T; 2]| [x * cos + y * sin, y * cos - x * sin];
+    let toward_axis = if rolls { k.r - k.rho(at) } else { zero };
+    let [x1, y1] = turned([at.x1 + toward_axis, at.y1]);
+    let [vx, vy] = turned(dynamics.center_velocity(at));
+    let rim = k.m * k.r * k.r;
+    let (s, height) = match friction {
+        FrictionLaw::InPlace => (zero, k.h),
+        _ if rolls => (at.s - k.m * k.h * k.r / (k.c + rim) * at.w, k.h),
+        _ => (at.s, zero),
+    };
+    let w = if at.w.value() == 0.0 {
+        at.w
+    } else {
+        at.w.where_negative(-least, least)
+    };
+    let flat = Coordinates {
+        yaw: at.yaw + change,
+        spin: at.spin - change,
+        sin: T::from(UPLIFT_TILT),
+        cos: T::from(1.0),
+        p: zero,
+        w,
+        s,
+        x1,
+        y1,
+        ..*at
+    };
+    let moving = |u: Coordinates<T>| {
+        let [rolling_x, rolling_y] = k.rolling_velocity(&u);
+        Coordinates {
+            slip_x: if rolls { zero } else { vx - rolling_x },
+            slip_y: if rolls { zero } else { vy - rolling_y },
+            ..u
+        }
+    };
+    let energy = dynamics.energy(at).total() - dynamics.energy(&moving(flat)).total();
+    let inertia = k.a + rim + k.m * height * height;
+    let p = -(T::from(2.0) * energy / inertia).max(zero).sqrt();
+    moving(Coordinates { p, ..flat })
+}
+
+/// The body that begins to rock about the opposite point of the rim, with φ̇ multiplied by a factor.
+///
+/// The impulse of the table acts at the new contact point alone. Where the rim rolls, this point does not slip, and the
+/// angular momentum about the vertical through it stays the same, which changes the spin s by the factor
+/// (C − mR²)/(C + mR²): the centre of mass, which moved at Rs, now goes round the other point. A rim that slides keeps s and
+/// the horizontal `velocity` (m/s, along e_x1 and e_y1) of the centre of mass.
 pub(super) fn rocked_over<T: Scalar>(
     k: &Parameters<T>,
     at: &Coordinates<T>,
@@ -98,6 +219,8 @@ pub(super) fn rocked_over<T: Scalar>(
 ) -> Coordinates<T> {
     let zero = T::from(0.0);
     let half_turn = T::from(if at.w.value() < 0.0 { -PI } else { PI });
+    let rim = k.m * k.r * k.r;
+    let spin_factor = (k.c - rim) / (k.c + rim);
     let u = Coordinates {
         yaw: at.yaw + half_turn,
         spin: at.spin - half_turn,
@@ -105,7 +228,11 @@ pub(super) fn rocked_over<T: Scalar>(
         cos: T::from(1.0),
         p: factor * at.p.abs(),
         w: zero,
-        s: if velocity.is_some() { at.s } else { zero },
+        s: if velocity.is_some() {
+            at.s
+        } else {
+            spin_factor * at.s
+        },
         x1: -at.x1,
         y1: -at.y1,
         slip_x: zero,

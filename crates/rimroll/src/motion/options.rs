@@ -1,6 +1,6 @@
 //! The options of a simulation and their checks.
 
-use super::flat_landing::FlatLanding;
+use super::flat_landing::{FlatLanding, check_gap};
 use super::instant::LEVEL_PHASES;
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, out_of_bounds, positive};
@@ -28,6 +28,9 @@ pub struct Options {
     pub topple_tilt: Option<f64>,
     /// What follows where the whole base comes down flat at once.
     pub flat: FlatLanding,
+    /// The base comes down flat also where it falls below the tilt at which the opposite point of the rim is this far above
+    /// the table, m. From 0, which means only there where it is flat, to a tenth of the radius.
+    pub flat_gap: f64,
     /// The maximal number of steps. A rocking motion takes tens of steps, but hundreds if slip oscillates while
     /// the contact point runs many times round the rim, as under regularised friction with a small transverse
     /// inertia: each oscillation takes a few steps.
@@ -42,6 +45,7 @@ impl Default for Options {
             rtol: 1e-10,
             topple_tilt: None,
             flat: FlatLanding::Stop,
+            flat_gap: 0.0,
             max_steps: 1_000_000,
         }
     }
@@ -131,6 +135,7 @@ impl Options {
     /// Checks the options and fills in the body's default topple tilt.
     fn completed(mut self, body: &Body) -> Result<Options, InvalidInput> {
         self.check_numbers()?;
+        check_gap(self.flat_gap, body)?;
         self.topple_tilt = self.topple_tilt_of(body);
         if let Some(topple) = self.topple_tilt {
             // Beyond this tilt the centre of mass would be below the table.

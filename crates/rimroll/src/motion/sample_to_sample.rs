@@ -58,12 +58,14 @@ pub(super) struct Rolling<T> {
     tolerance: T,
     /// The sign of a tilt rate is significant if the rate exceeds this fraction of its error scale.
     significant: T,
+    /// sin φ below which the usual stepper decides whether the base is flat.
+    flat: T,
     /// See [`Ground::straight_peak`](crate::ground::Ground::straight_peak), m/s².
     peak: T,
 }
 
 fieldwise!(Rolling {
-    rate_floor, static_friction_squared, tolerance, significant, peak; dynamics, error_scale, topple
+    rate_floor, static_friction_squared, tolerance, significant, flat, peak; dynamics, error_scale, topple
 });
 
 /// The beginning of a step.
@@ -120,6 +122,7 @@ impl Rolling<f64> {
             static_friction_squared: static_friction * static_friction,
             tolerance: STRICTER * options.step_tolerance(),
             significant: options.significant_tilt_rate(),
+            flat: FLAT.max(contacts.sine_at_gap()),
             peak: contacts
                 .ground()
                 .map_or(0.0, |ground| ground.straight_peak()),
@@ -342,7 +345,7 @@ impl<T: Real> Rolling<T> {
             .min(rates[3].max(one_extremum));
         clearance(rates, SPREAD)
             .max(none_or_one)
-            .min(b.sin - T::from(FLAT))
+            .min(b.sin - self.flat)
             .min(b.cos)
             .min(self.topple.below(&b))
     }
@@ -353,7 +356,7 @@ impl<T: Real> Rolling<T> {
         // How far the coefficients of the tilt exceed the tilts at the ends.
         let (after, before) = (third * a.p.abs(), third * b.p.abs());
         let either = |at_a: T, at_b: T| (at_a - after).min(at_b - before);
-        (either(a.sin, b.sin) - T::from(FLAT))
+        (either(a.sin, b.sin) - self.flat)
             .min(either(a.cos, b.cos))
             .min(either(self.topple.below(a), self.topple.below(b)))
     }

@@ -10,6 +10,10 @@ pub fn powers_of_ten(low: f64, high: f64) -> impl Strategy<Value = f64> {
 
 /// Masses from grams to tonnes, sizes from millimetres to metres, disks to columns, mass near the axis or far
 /// from it. The draw of C ensures C ≤ 2A.
+#[allow(
+    dead_code,
+    reason = "not every test that includes this file draws them"
+)]
 pub fn any_body() -> impl Strategy<Value = Body> {
     let height = prop_oneof![1 => Just(0.0), 4 => 0.05..5.0];
     let axial = prop_oneof![1 => Just(2.0), 4 => 0.05..2.0];

@@ -12,8 +12,8 @@ from rimroll.options import Options
 from rimroll.study.cases import Call
 from rimroll.study.plan import Progress
 
-OPTION_NAMES = tuple(one.name for one in fields(Options))
-"""The keys of [simulation] that are options of the solver."""
+OPTION_NAMES = tuple(one.name for one in fields(Options) if one.name != "flat_gap")
+"""The keys of [simulation] that are options of the solver for all motions."""
 
 
 @dataclass(frozen=True)

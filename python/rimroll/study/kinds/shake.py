@@ -40,7 +40,7 @@ class Shaken:
             "ground": None,
         }
     )
-    settings: tuple[str, ...] = (*OPTION_NAMES, "flat")
+    settings: tuple[str, ...] = (*OPTION_NAMES, "flat", "flat_gap")
     chunk: int = 10_000
     one_start: bool = True
     results: Mapping[str, Result] = field(

@@ -4,7 +4,9 @@ use super::pass_near_collision;
 use crate::ending::{FACE_DOWN_TILT, Status};
 use crate::law::DynamicsExt;
 use crate::motion::contacts::Contacts;
-use crate::motion::flat_landing::{FlatLanding, plastic_factor, rocked_over};
+use crate::motion::flat_landing::{
+    FlatLanding, fallen, on_face_of, on_first_face, plastic_factor, rocked_over,
+};
 use crate::motion::instant::{Instant, Phase};
 use crate::motion::level_base::{FLAT_TILT, UPLIFT_TILT};
 use crate::motion::options::Options;
@@ -12,8 +14,21 @@ use crate::solve::Dense;
 use crate::state::{COORDINATES, Coordinates};
 use std::sync::Arc;
 
-/// The coordinates after the base of a body at `at` has come down flat; `None` where the motion ends. This is the
-/// landing number `landing` of the motion.
+/// The body with its base flat, at the end of the fall over the gap. A disk on its other face is turned to its first one.
+pub(super) fn fallen_flat(contacts: &Contacts, at: &Instant) -> Instant {
+    let first = on_first_face(at);
+    let u = if contacts.flat_gap() == 0.0 {
+        first
+    } else {
+        let friction = &contacts.contact_law().friction;
+        let rolls = at.phase == Phase::Rolling;
+        fallen(contacts.dynamics(at.phase), friction, rolls, &first)
+    };
+    Instant { u, ..*at }
+}
+
+/// The coordinates after the base of a body at `at`, which is its first face, has come down flat; `None` where the motion
+/// ends. This is the landing number `landing` of the motion.
 pub(super) fn landed(
     contacts: &Arc<Contacts>,
     options: &Options,
@@ -22,7 +37,15 @@ pub(super) fn landed(
 ) -> Option<Coordinates<f64>> {
     match options.flat {
         FlatLanding::Stop => None,
-        FlatLanding::Smooth(side) => smooth(contacts, options, at, side.sign(landing)),
+        FlatLanding::Smooth(side) => {
+            // Over a gap, a motion beside its plane determines the side.
+            let side = if contacts.flat_gap() > 0.0 && at.w != 0.0 {
+                at.w.signum()
+            } else {
+                side.sign(landing)
+            };
+            smooth(contacts, options, at, side)
+        }
         FlatLanding::Housner => Some(after_collision(contacts, at, None)),
         FlatLanding::Restitution(factor) => Some(after_collision(contacts, at, Some(factor))),
     }
@@ -36,7 +59,7 @@ pub(super) fn last_fall(contacts: &Contacts, at: &Instant) -> Dense<f64, COORDIN
     } else {
         FACE_DOWN_TILT
     };
-    let u = contacts.without_running(at.phase, at);
+    let u = contacts.without_running(at.phase, &on_first_face(at));
     let u = Coordinates {
         sin: u.sin.max(flat),
         ..u
@@ -44,15 +67,20 @@ pub(super) fn last_fall(contacts: &Contacts, at: &Instant) -> Dense<f64, COORDIN
     let free = contacts.without_resistance();
     let rates = free.dynamics(at.phase).rates(&u);
     let (drop, acceleration) = (u.sin - flat, rates.p / u.sin);
-    let p = -(u.p * u.p - 2.0 * acceleration * drop).max(0.0).sqrt();
-    let time = -2.0 * drop / (u.p + p);
+    let square = u.p * u.p - 2.0 * acceleration * drop;
+    let (p, time) = if square > 0.0 {
+        let p = -square.sqrt();
+        (p, -2.0 * drop / (u.p + p))
+    } else {
+        (0.0, -u.p / acceleration)
+    };
     let end = Coordinates {
         sin: flat,
         cos: 1.0,
         p,
         ..u.plus(time / u.sin, &rates)
     };
-    let end = contacts.without_running(at.phase, &end);
+    let end = on_face_of(at, &contacts.without_running(at.phase, &end));
     Dense::line(time, at.u.into_array(), end.into_array())
 }
 

@@ -1,10 +1,10 @@
 //! The phases in which the base is level, and what leads to them and from them.
 
-use super::flat_landing::{landed, last_fall, with_loss};
+use super::flat_landing::{fallen_flat, landed, last_fall, with_loss};
 use super::{AfterEvent, MAX_EMPTY_PHASES, PhaseEnd, PhaseStart, Run};
 use crate::ending::Status;
 use crate::motion::event::EventKind;
-use crate::motion::flat_landing::FlatLanding;
+use crate::motion::flat_landing::{FlatLanding, on_face_of};
 use crate::motion::instant::{Instant, Phase};
 use crate::motion::level_base::LevelMotion;
 use crate::motion::level_base::{Departure, LevelBase, levelled};
@@ -22,22 +22,25 @@ const REPORT_INTERVAL: usize = 256;
 impl Run<'_> {
     /// The motion after the whole base has come down flat at once.
     pub(super) fn land_flat(&mut self, at: &Instant) -> AfterEvent {
+        let fallen = fallen_flat(self.contacts, at);
         // A body that has only just begun to rock lands with rounding errors alone.
-        if self.contacts.moves() && self.contacts.hardly_rocks(at) {
+        if self.contacts.moves() && self.contacts.hardly_rocks(&fallen) {
             return self.stand(at);
         }
         self.detector.add(EventKind::FaceDown, *at);
         let landing = self.landings;
         self.landings += 1;
-        let Some(u) = landed(self.contacts, self.options, at, landing) else {
+        let landed = landed(self.contacts, self.options, &fallen, landing);
+        let Some(u) = landed.filter(|_| !self.contacts.turns_on_other_face(at)) else {
             return AfterEvent::End(Status::FaceDown);
         };
+        let u = on_face_of(at, &u);
         let next = self.contacts.settle(&u);
         let after = Instant {
             phase: next.phase(),
             u,
         };
-        if self.contacts.hardly_rocks(&u) {
+        if self.contacts.hardly_rocks(&after) || self.contacts.stays_below_gap(&after) {
             return self.stand(&after);
         }
         self.detector.process_jump(at, after);
@@ -47,6 +50,7 @@ impl Run<'_> {
     /// The motion after resistance has stopped the contact point, so that the base comes down flat. What the option `flat`
     /// says follows, except where the body comes to rest.
     pub(super) fn land_stopped(&mut self, at: &Instant) -> AfterEvent {
+        let at = &self.on_table(at);
         let moves = self.contacts.moves();
         let comes_to_rest = match self.options.flat {
             FlatLanding::Stop if !moves => self.detector.has_spent_its_energy(at),
@@ -83,6 +87,22 @@ impl Run<'_> {
                 (next, _) => next,
             }
         }
+    }
+
+    /// A rim that is off the table by less than its errors slides.
+    fn on_table(&self, at: &Instant) -> Instant {
+        if at.phase != Phase::Flying {
+            return *at;
+        }
+        let phase = Phase::Sliding;
+        let (gap, gap_rate) = (0.0, 0.0);
+        let u = Coordinates {
+            gap,
+            gap_rate,
+            ..at.u
+        };
+        let u = with_loss(self.contacts, at, phase, u);
+        Instant { phase, u }
     }
 
     /// A body that stands flat from now on.

@@ -1,6 +1,6 @@
 //! The derivatives of a motion on a table that moves.
 
-use super::saltation::{Saltation, refused, tilt_from};
+use super::saltation::{Saltation, flat_function, refused, tilt_from};
 use super::shaken_slope::{Number, SHAKEN_PARAMETERS, ShakenSlope, all_or_none, without};
 use super::variation::{Variation, ends_at_corner, rates};
 use super::{
@@ -152,7 +152,7 @@ impl ShakenSensitivity {
             Status::Finished => self.with_rates(motion, last, self.end).at_fixed_time(),
             Status::Toppled if last.phase == Phase::Lying => self.end,
             Status::Toppled => at_event(&|_, u| tilt_from(&end, u)),
-            Status::FaceDown => at_event(&|_, u| u.sin),
+            Status::FaceDown => at_event(&flat_function(&motion.contacts, &last.end)),
             Status::LiftedOff if !last.phase.is_level() => at_event(&|variation, u| {
                 let phases = variation.phases(&motion.contacts, last.start[TIME]);
                 phases.in_phase(last.phase).contact(u).normal

@@ -27,13 +27,15 @@ use crate::error_scale::ErrorScale;
 use crate::impact;
 use crate::law::{DynamicsExt, FrictionLaw, IdealLaw};
 use crate::motion::Motion;
-use crate::motion::contacts::tilting_energy_over_standing;
-use crate::motion::flat_landing::{FlatLanding, plastic_factor, rocked_over};
+use crate::motion::contacts::{Contacts, tilting_energy_over_standing};
+use crate::motion::flat_landing::{
+    FlatLanding, fallen, on_face_of, on_first_face, plastic_factor, rocked_over,
+};
 use crate::motion::instant::Phase;
 use crate::motion::level_base::{FLAT_TILT, LevelMotion, UPLIFT_TILT, levelled};
 use crate::motion::step_record::StepRecord;
 use crate::real::{Real, Scalar};
-use crate::state::{Coordinates, TIME};
+use crate::state::{COORDINATES, Coordinates, TIME};
 use crate::turn::inertias_of;
 use core::f64::consts::PI;
 
@@ -187,7 +189,13 @@ impl Saltation<'_> {
     /// Whether the base came down flat at once.
     fn is_flat(&self) -> bool {
         let end = Coordinates::from_array(&self.before.end);
-        end.p < 0.0 && end.sin.abs() <= 2.0 * FLAT_TILT
+        let gap = (1.0 + LEVEL) * self.motion.contacts.sine_at_gap();
+        let falls = if end.cos < 0.0 {
+            end.p > 0.0
+        } else {
+            end.p < 0.0
+        };
+        falls && end.sin.abs() <= gap.max(2.0 * FLAT_TILT)
     }
 
     /// The velocity of the centre of mass of a rim that slides.
@@ -306,7 +314,7 @@ impl Saltation<'_> {
             self.landed_flat(u)?
         } else if self.is_flat() {
             // It hardly rocked, and did not go on to the opposite point of the rim.
-            self.at_event(u, |_, u| u.sin)
+            self.at_event(u, flat_function(&self.motion.contacts, &self.before.end))
         } else {
             self.at_event(u, |variation, u| {
                 tilting_energy_over_standing(&variation.k, u)
@@ -324,17 +332,44 @@ impl Saltation<'_> {
     /// The whole base came down flat at once.
     fn landed_flat(&self, u: &Coordinates<Number>) -> Result<Coordinates<Number>, InvalidInput> {
         let k = &self.variation.k;
-        let u = self.at_event(u, |_, u| u.sin);
-        let u = self.in_plane(&u);
+        let (contacts, end) = (&self.motion.contacts, &self.before.end);
+        if is_below_gap(contacts, end) {
+            return Err(refused("the base comes down flat from below flat_gap"));
+        }
+        let at = self.at_event(u, flat_function(contacts, end));
+        let first = on_first_face(&at);
+        let u = if contacts.flat_gap() > 0.0 {
+            self.over_gap(&first)
+        } else {
+            first
+        };
+        // Over a gap, a body beside its plane falls and goes on as in it, unless it runs round the rim.
+        let is_smooth = matches!(self.motion.flat, FlatLanding::Smooth(_));
+        let u = if contacts.flat_gap() == 0.0 || is_smooth && u.w.value == 0.0 {
+            self.in_plane(&u)
+        } else {
+            u
+        };
         let velocity = self.velocity(&u);
         let factor = match self.motion.flat {
-            FlatLanding::Smooth(_) => return self.run_round(&u, velocity),
+            FlatLanding::Smooth(_) => {
+                let after = self.run_round(&u, velocity)?;
+                return Ok(on_face_of(&at, &after));
+            }
             FlatLanding::Restitution(factor) => factor.into(),
             FlatLanding::Housner | FlatLanding::Stop => {
                 plastic_factor(k, self.before.phase == Phase::Rolling)
             }
         };
-        Ok(rocked_over(k, &u, factor, velocity))
+        Ok(on_face_of(&at, &rocked_over(k, &u, factor, velocity)))
+    }
+
+    /// The body with its base flat, at the end of the fall over the gap.
+    fn over_gap(&self, u: &Coordinates<Number>) -> Coordinates<Number> {
+        let (contacts, phase) = (&self.motion.contacts, self.before.phase);
+        let phases = self.variation.phases(contacts, self.before.start[TIME]);
+        let friction = &contacts.contact_law().friction;
+        fallen(phases.in_phase(phase), friction, phase == Phase::Rolling, u)
     }
 
     /// The coordinates without derivatives (NaN) by those parameters that take a motion out of its plane.
@@ -372,6 +407,12 @@ impl Saltation<'_> {
                 ));
             }
         };
+        let spins = u.w.value != 0.0 || u.s.value != 0.0;
+        if spins && self.motion.contacts.contact_law().friction != FrictionLaw::InPlace {
+            return Err(refused(
+                "the base comes down flat and smoothly beside its plane",
+            ));
+        }
         if self.motion.contacts.contact_law().resists() {
             return Err(refused(
                 "the base comes down flat and smoothly with resistance",
@@ -380,7 +421,13 @@ impl Saltation<'_> {
         let k = &self.variation.k;
         let (j, inertia) = inertias_of(k, law);
         let [from, to] = [self.before.end[0], self.after.start[0]];
-        let turn = (j / inertia).sqrt() * Number::from(if to < from { -PI } else { PI });
+        // Over a gap, a motion beside its plane determines the side.
+        let turns_back = if u.w.value == 0.0 {
+            to < from
+        } else {
+            u.w.value < 0.0
+        };
+        let turn = (j / inertia).sqrt() * Number::from(if turns_back { -PI } else { PI });
         let (sin, cos) = turn.sin_cos();
         let turned = |[x, y]: [Number; 2]| [x * cos + y * sin, y * cos - x * sin];
         let [x1, y1] = turned([u.x1, u.y1]);
@@ -404,6 +451,31 @@ impl Saltation<'_> {
             slip_y: vy - rolling_y,
             ..after
         })
+    }
+}
+
+/// The part by which the tilt at which the gap closes may differ by rounding.
+const LEVEL: f64 = 1e-6;
+
+/// Whether the tilt at the end of a step is smaller than that at which the gap under the base closes.
+fn is_below_gap(contacts: &Contacts, end: &[f64; COORDINATES]) -> bool {
+    Coordinates::from_array(end).sin < (1.0 - LEVEL) * contacts.sine_at_gap()
+}
+
+/// The event function of a base that has come down flat at the end of a step: the tilt over that at which the gap closes or,
+/// below it, the tilt rate.
+pub(super) fn flat_function(
+    contacts: &Contacts,
+    end: &[f64; COORDINATES],
+) -> impl Fn(&Variation, &Coordinates<Number>) -> Number + use<> {
+    let half_gap = Number::from(0.5 * contacts.flat_gap());
+    let is_below = is_below_gap(contacts, end);
+    move |variation, u| {
+        if is_below {
+            u.p
+        } else {
+            u.sin - half_gap / variation.k.r
+        }
     }
 }
 
