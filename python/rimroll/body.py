@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -92,10 +93,29 @@ class Body:
         return hash(tuple(key(getattr(self, field.name)) for field in fields(self)))
 
     def _repr_html_(self) -> str | None:
-        """The view in notebooks."""
-        from rimroll.figures.notebook import body_in_html
+        """The view in notebooks: the five numbers and what follows; None for many bodies."""
+        if self.shape:
+            return None
+        from rimroll.figures.notebook import degrees, table, view
+        from rimroll.laws import Frictionless, NoSlip
 
-        return body_in_html(self)
+        rows = [
+            ("mass", f"{1e3 * self.mass:.6g} g"),
+            ("radius of the rim", f"{1e2 * self.radius:.6g} cm"),
+            ("height of the centre of mass", f"{1e2 * self.height:.6g} cm"),
+            ("transverse inertia A", f"{self.transverse_inertia:.6g} kg m²"),
+            ("axial inertia C", f"{self.axial_inertia:.6g} kg m²"),
+            ("balances at", degrees(_core.balance_tilt(self))),
+        ]
+        if self.filling is not None:
+            from rimroll.liquid import liquid_balance
+
+            rows.append(("with its filling liquid", degrees(liquid_balance(self))))
+        at_rest = (1.0, 0.0, 0.0, math.nan)  # the rim on arrival
+        for words, law in ("without slip", NoSlip()), ("without friction", Frictionless()):
+            rows.append((f"turns {words}", degrees(_core.turn_limit(self, law, at_rest))))
+        rows.append(("friction needed to roll", f"{_core.needed_friction(self):.3f}"))
+        return view("Body", table(rows))
 
     @property
     def shape(self) -> tuple[int, ...]:

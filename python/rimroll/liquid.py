@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 from rimroll import _core
-from rimroll.body import Body
 from rimroll.errors import RimrollError
+
+if TYPE_CHECKING:
+    from rimroll.body import Body
 
 
 def liquid_balance(body: Body) -> float:

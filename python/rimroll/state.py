@@ -167,10 +167,18 @@ class State(Generic[FieldT]):
         return start_of(dataset)
 
     def _repr_html_(self) -> str | None:
-        """The view in notebooks."""
-        from rimroll.figures.notebook import state_in_html
+        """The view in notebooks; None for many states."""
+        if any(map(np.ndim, vars(self).values())):
+            return None
+        from rimroll.figures.notebook import table, view
 
-        return state_in_html(self)
+        rows = []
+        for field in fields(self):
+            value = float(getattr(self, field.name))
+            is_rate = field.name.endswith("rate")
+            shown = f"{value:.6g} rad/s" if is_rate else f"{np.degrees(value):.6g}°"
+            rows.append((field.name, shown))
+        return view("State", table(rows))
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -69,9 +69,22 @@ class Measurement:
 
     def _repr_html_(self) -> str:
         """The view in notebooks."""
-        from rimroll.figures.notebook import measurement_in_html
+        from rimroll.experiment.readings import pretty
+        from rimroll.figures.notebook import table, view
 
-        return measurement_in_html(self)
+        estimated = "" if self.axial_inertia_measured else " (estimated)"
+        rows = (
+            ("mass", self.mass, "kg"),
+            ("radius of the rim", self.radius, "m"),
+            ("height of the centre of mass", self.height, "m"),
+            ("transverse inertia A", self.transverse_inertia, "kg m^2"),
+            (f"axial inertia C{estimated}", self.axial_inertia, "kg m^2"),
+            ("turns without slip", self.turn_no_slip, "rad"),
+            ("turns without friction", self.turn_frictionless, "rad"),
+            ("friction needed to roll", self.needed_friction, "1"),
+        )
+        cells = ((name, pretty(value, unit)) for name, value, unit in rows)
+        return view("Measurement", table(cells))
 
     @property
     def turn_no_slip(self) -> UFloat:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from html import escape
 from typing import TYPE_CHECKING
 
-from rimroll.figures.notebook import TURN_HEAD, table, turn_cells
+from rimroll.figures.notebook import table
+from rimroll.motion.parts import TURN_HEAD, turn_cells
 from rimroll.motion.shaken import shaken_in_words
 
 if TYPE_CHECKING:

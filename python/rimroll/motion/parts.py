@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from rimroll.motion.moments import ROW_OF, Array
 from rimroll.state import State
 
@@ -71,9 +73,19 @@ class Turn:
 
     def _repr_html_(self) -> str:
         """The view in notebooks."""
-        from rimroll.figures.notebook import turn_in_html
+        from rimroll.figures.notebook import table, view
 
-        return turn_in_html(self)
+        return view("Turn", table([turn_cells(self)], TURN_HEAD))
+
+
+TURN_HEAD = ("angle", "smallest tilt", "at t")
+"""The head of a table of turns."""
+
+
+def turn_cells(turn: Turn) -> tuple[str, ...]:
+    """The cells of a turn under :data:`TURN_HEAD`."""
+    angle, smallest = np.degrees([turn.angle, turn.min_tilt])
+    return f"{angle:.4f}°", f"{smallest:.4g}°", f"{turn.t:.6g} s"
 
 
 @dataclass(frozen=True)

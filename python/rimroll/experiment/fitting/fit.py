@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -109,9 +110,21 @@ class Fit:
 
     def _repr_html_(self) -> str:
         """The view in notebooks."""
-        from rimroll.figures.notebook import fit_in_html
+        from rimroll.figures.notebook import degrees, sentences, table, view
 
-        return fit_in_html(self)
+        rows = [("friction", str(self.friction))]
+        sides = {"left": self.left, "right": self.right}
+        for name, side in sides.items():
+            if side is not None:
+                rows.append((f"from falls to the {name}", str(side)))
+        bias = degrees(self.bias, 1)
+        if self.bias_interval is not None:
+            low, high = self.bias_interval
+            bias += f" ({degrees(low, 1)} to {degrees(high, 1)})"
+        rows += [("bias", bias), ("unsteadiness", f"{self.unsteadiness:.2f}")]
+        doubts = f"<p>{escape(' '.join(self.warnings))}</p>" if self.warnings else ""
+        verdicts = sentences(verdict.sentence for verdict in self.verdicts)
+        return view(f"Fit to {len(self.directions)} falls", table(rows), verdicts, doubts)
 
     def plot(self) -> Figure:
         """The predicted histogram over the measured one, and how well each friction fits."""
