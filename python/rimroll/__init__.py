@@ -94,6 +94,7 @@ if TYPE_CHECKING:
         nutation as nutation,
         resonant_start as resonant_start,
     )
+    from rimroll.options import Options as Options
     from rimroll.polygon import (
         PolygonalBody as PolygonalBody,
         PolygonEvent as PolygonEvent,
@@ -211,6 +212,7 @@ _NAMES = {
     ),
     "rimroll.motion.jacobian": ("Jacobian",),
     "rimroll.nutations": ("Nutation", "nutation", "resonant_start"),
+    "rimroll.options": ("Options",),
     "rimroll.polygon": ("PolygonEvent", "PolygonMotion", "PolygonalBody"),
     "rimroll.reduced": ("ReducedMotion", "reduced_motion", "rocking_friction"),
     "rimroll.left_or_right": ("turn_map", "watershed", "watershed_slope"),

@@ -23,10 +23,12 @@ from rimroll.falls import Column, Falls, Interrupted
 from rimroll.given import Number, Values, number, numbers
 from rimroll.laws import IDEAL, Law, ideal
 from rimroll.many_falls import OPTIONS, VARIABLES, follow
-from rimroll.options import Options
+from rimroll.options import Keywords, Options, takes_options
 from rimroll.state import State, single
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
     import xarray as xr
 
 Array = NDArray[np.float64]
@@ -35,6 +37,11 @@ HALVINGS = 50
 """How often bisection halves the interval around a watershed: to the last digits of a double."""
 
 
+MAPPING = replace(OPTIONS, rtol=1e-6)
+"""The defaults of :func:`turn_map`."""
+
+
+@takes_options(MAPPING, "flat", "flat_gap")
 def turn_map(
     body: Body,
     start: State,
@@ -42,13 +49,11 @@ def turn_map(
     yaw_rates: Values,
     spin_rates: Values,
     *,
-    gravity: Number = _core.STANDARD_GRAVITY,
-    duration: Number = 10.0,
-    rtol: float = 1e-6,
-    topple_tilt: Number | None = None,
-    max_steps: int = 100_000,
+    duration: Number | None = None,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[Keywords],
 ) -> xr.Dataset:
     """Follow a body from each start in a plane of yaw and spin rates: its turn and direction.
 
@@ -60,7 +65,7 @@ def turn_map(
         One start; the yaw and spin rates of the map replace its own.
     yaw_rates, spin_rates
         dψ/dt and dθ/dt, rad/s, each a flat array in rising order.
-    gravity, duration, rtol, topple_tilt, max_steps, threads, progress
+    duration, gravity, rtol, topple_tilt, max_steps, options, threads, progress
         As for :func:`rimroll.ensemble`. At the default ``rtol`` a turn is right to 1e-4 degrees.
         Under ``NoSlip()``, ``Frictionless()`` and ``InPlace()`` turns are computed by quadrature,
         see :func:`rimroll.exact_turn`; there ``duration``, ``rtol`` and ``max_steps`` are checked
@@ -82,8 +87,8 @@ def turn_map(
     Interrupted
         On Ctrl-C; it carries the rows of the map, one for each spin rate, that are complete.
     """
-    options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
-    falls = map_falls(body, start, law, yaw_rates, spin_rates, options, threads, progress)
+    chosen = MAPPING.changed(options, duration, keywords)
+    falls = map_falls(body, start, law, yaw_rates, spin_rates, chosen, threads, progress)
     return falls.to_xarray()
 
 

@@ -18,12 +18,14 @@ from rimroll.falls import rows as in_rows
 from rimroll.given import Number, Values, thread_count, values
 from rimroll.laws import Law, contact_law, only_fixed, varied_numbers
 from rimroll.many_columns import LOSSES, energy_lost, inputs, transposed, unless_stopped
-from rimroll.options import Options
+from rimroll.options import Keywords, Options, takes_options
 from rimroll.recorded import parameters
 from rimroll.rows import Rows
 from rimroll.state import State
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
     import xarray as xr
 
 Array = NDArray[np.float64]
@@ -62,19 +64,18 @@ VARIABLES = {
 """The columns of falls: unit, a name that fits an axis, and a comment where it needs one."""
 
 
+@takes_options(OPTIONS, "flat", "flat_gap")
 def ensemble(
     body: Body,
     starts: State,
     law: Law,
     *,
     friction_scale: Values = 1.0,
-    duration: Number = 10.0,
-    gravity: Number = _core.STANDARD_GRAVITY,
-    rtol: float = 1e-8,
-    topple_tilt: Number | None = None,
-    max_steps: int = 100_000,
+    duration: Number | None = None,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[Keywords],
 ) -> xr.Dataset:
     """Follow a body from each of many starts through its first turn, on all processors.
 
@@ -92,7 +93,7 @@ def ensemble(
     friction_scale
         A factor on the law's friction: a number, (n,) or a data array. To sweep the coefficient
         itself, give the law an array, ``Coulomb([0.1, 0.2])``.
-    duration, gravity, rtol, topple_tilt, max_steps
+    duration, gravity, rtol, topple_tilt, max_steps, options
         As for :func:`rimroll.simulate`.
     threads
         Number of threads; by default one for each processor.
@@ -123,12 +124,11 @@ def ensemble(
     Interrupted
         On Ctrl-C; it carries the falls done so far, in rows.
     """
-    options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
     falls = follow(
         body,
         starts,
         law,
-        options,
+        OPTIONS.changed(options, duration, keywords),
         friction_scale=friction_scale,
         threads=threads,
         progress=progress,
@@ -155,6 +155,11 @@ def follow(
     expect("body", body, Body)
     expect("starts", starts, State)
     contact_law(law)
+    if options.flat not in (None, "stop") or options.flat_gap:
+        raise RimrollError(
+            "flat and flat_gap are for single motions and for tables that move: many falls end"
+            " where the base comes down flat"
+        )
     workers = thread_count(threads)
     callback("progress", progress)
     friction_scale = _friction_scale(friction_scale)
@@ -181,9 +186,9 @@ def follow(
     except RimrollError as refusal:
         raise rows.placed(refusal, law.name, options.gravity, options.topple_tilt) from None
     columns = _columns(rows, varied, scales, table, words)
-    recorded = asdict(options)
-    del recorded["flat_gap"]
-    falls = in_rows(columns, parameters(law.name, recorded, law=law.numbers, body=asdict(body)))
+    recorded = asdict(options) | {"flat": None, "flat_gap": None}
+    attrs = parameters(law.name, recorded, law=law.numbers, body=asdict(body))
+    falls = in_rows(columns, attrs)
     if len(table) == count and rows.grid.dims is not None:
         falls = falls.laid_out(rows.grid)
     return unless_stopped(falls, stopped)

@@ -2,47 +2,91 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING
+import inspect
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, replace
+from typing import TYPE_CHECKING, Any, TypedDict, TypeVar
 
 from rimroll import _core
-from rimroll.given import number, optional, whole_number
+from rimroll.errors import expect
+from rimroll.given import Number, number, optional, whole_number
 from rimroll.recorded import not_recorded
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
     import xarray as xr
+
+    from rimroll.motion.flat import FlatLanding
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+class Keywords(TypedDict, total=False):
+    """The options of a motion as keywords of functions, besides ``duration``."""
+
+    gravity: Number
+    rtol: float
+    topple_tilt: Number | None
+    max_steps: int
+    flat: FlatLanding | None
+    flat_gap: Number
 
 
 @dataclass(frozen=True)
 class Options:
-    """See :func:`rimroll.simulate`, whose defaults these are."""
+    """How a motion is followed: the keywords of :func:`rimroll.simulate`, whose defaults these are.
+
+    Functions that follow motions take these keywords, or all of them together as ``options``, of
+    which keywords then change single ones. Those that follow many motions have other defaults,
+    which their signatures show.
+
+    >>> import rimroll as rr
+    >>> options = rr.Options(gravity=9.8, rtol=1e-8)
+    >>> can, start = rr.bodies.can_2007(), rr.State(tilt=0.5, yaw_rate=0.01)
+    >>> rr.simulate(can, start, rr.NoSlip(), options=options, rtol=1e-12).rtol
+    1e-12
+
+    Raises ``RimrollError`` for what is no number, or in a unit of another kind.
+    """
 
     duration: float = 2.0
     gravity: float = _core.STANDARD_GRAVITY
     rtol: float = 1e-10
     topple_tilt: float | None = None
     max_steps: int = 1_000_000
+    flat: FlatLanding | None = None
+    """None: ``housner`` on a table that moves, else ``stop``."""
     flat_gap: float = 0.0
 
-    @classmethod
-    def read(
-        cls,
-        duration: object,
-        gravity: object,
-        rtol: object,
-        topple_tilt: object,
-        max_steps: object,
-        flat_gap: object = 0.0,
+    if TYPE_CHECKING:
+
+        def __init__(self, duration: Number = 2.0, **keywords: Unpack[Keywords]) -> None: ...
+
+    def __post_init__(self) -> None:
+        read: dict[str, object] = {
+            "duration": number("duration", self.duration, "s"),
+            "gravity": number("gravity", self.gravity, "m/s^2"),
+            "rtol": number("rtol", self.rtol),
+            "topple_tilt": optional("topple_tilt", self.topple_tilt, "rad"),
+            "max_steps": whole_number("max_steps", self.max_steps),
+            "flat_gap": number("flat_gap", self.flat_gap, "m"),
+        }
+        if self.flat is not None:
+            from rimroll.motion.flat import flat_given  # whose package imports this module
+
+            read["flat"] = flat_given(self.flat)
+        vars(self).update(read)
+
+    def changed(
+        self, options: Options | None, duration: Number | None, keywords: Mapping[str, Any]
     ) -> Options:
-        """Options as users give them; raises ``RimrollError`` for other values."""
-        return cls(
-            number("duration", duration, "s"),
-            number("gravity", gravity, "m/s^2"),
-            number("rtol", rtol),
-            optional("topple_tilt", topple_tilt, "rad"),
-            whole_number("max_steps", max_steps),
-            number("flat_gap", flat_gap, "m"),
-        )
+        """These options, or those given in their place, with some changed by keywords."""
+        expect("options", options, Options | None)
+        chosen = self if options is None else options
+        if duration is not None:
+            keywords = {**keywords, "duration": duration}
+        return replace(chosen, **keywords) if keywords else chosen
 
     @property
     def values(self) -> tuple[float, float, float, float | None, int]:
@@ -50,14 +94,35 @@ class Options:
         return self.duration, self.gravity, self.rtol, self.topple_tilt, self.max_steps
 
 
+def takes_options(defaults: Options, *but: str) -> Callable[[F], F]:
+    """Show the options that a function takes as ``keywords`` in its signature, with their defaults.
+
+    Those named in ``but`` are shown as the function itself has them, if it does.
+    """
+
+    def with_signature(function: F) -> F:
+        plain = inspect.signature(function)
+        shown = {name: one for name, one in plain.parameters.items() if name != "keywords"}
+        for name, hint in Keywords.__annotations__.items():
+            if name not in but:
+                kind, text = inspect.Parameter.KEYWORD_ONLY, hint.__forward_arg__
+                shown[name] = inspect.Parameter(name, kind, annotation=text)
+        for name in shown.keys() & vars(defaults).keys() - set(but):
+            shown[name] = shown[name].replace(default=getattr(defaults, name))
+        function.__signature__ = plain.replace(parameters=[*shown.values()])  # type: ignore[attr-defined]
+        return function
+
+    return with_signature
+
+
 def options_of(dataset: xr.Dataset) -> Options:
     """The options of a motion or of falls.
 
     Raises ``RimrollError`` for a dataset without them.
     """
-    given = {field.name: dataset.attrs.get(field.name) for field in fields(Options)}
+    given: dict[str, Any] = {field.name: dataset.attrs.get(field.name) for field in fields(Options)}
     given["flat_gap"] = dataset.attrs.get("flat_gap", Options.flat_gap)
     for name, value in given.items():
-        if value is None and name != "topple_tilt":
+        if value is None and name not in ("topple_tilt", "flat"):
             raise not_recorded("options", name)
-    return Options.read(**given)
+    return Options(**given)

@@ -272,5 +272,5 @@ def test_a_files_ground_and_flat_are_those_of_the_api(tmp_path):
     )
     read = load(path)
     assert read.ground == rr.ground.cosine(("0.3 g", 1.0, 0.0), 0.5, (1, 2, 1)).scaled(2.0)
-    assert read.flat == ("smooth", 3) and read.options.flat_gap == 1e-4
+    assert read.options.flat == ("smooth", 3) and read.options.flat_gap == 1e-4
     assert read.options.duration == 1.0 + 10.0 and not read.has_duration

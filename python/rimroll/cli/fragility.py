@@ -192,7 +192,6 @@ def _rocking(
         what.start,
         what.law,
         replace(options, rtol=1e-8 if motion.rtol is None else options.rtol),
-        what.flat,
         options.duration if what.has_duration else None,
         limits,
         threads,

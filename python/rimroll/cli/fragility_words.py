@@ -24,7 +24,7 @@ def show(study: Study, paths: list[Path]) -> None:
     law = f"{in_words(what.law)}; {start_in_words(rocking.start, what.options.gravity)}"
     gap = rocking.options.flat_gap
     below = f", below a gap of {1e3 * gap:g} mm" if gap else ""
-    prose(f"{law}; where the base comes down flat{below}: {rocking.flat}")
+    prose(f"{law}; where the base comes down flat{below}: {rocking.options.flat}")
     prose(_records_in_words(study))
     say()
     say(_table(study))

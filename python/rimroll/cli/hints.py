@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Container
-from dataclasses import asdict
 
 from rimroll.body import Body
 from rimroll.laws import Frictionless, InPlace, Law, NoSlip
@@ -28,7 +27,7 @@ def release_hints(body: Body, start: State, law: Law, options: Options) -> list[
     """Hints for many falls with this mean start; none if that start comes down."""
     if single(start).tilt < balance_tilt(body):
         return []
-    hint = _past_balance(simulate(body, start, law, **asdict(options)))
+    hint = _past_balance(simulate(body, start, law, options=options))
     return [hint] if hint else []
 
 

@@ -177,5 +177,5 @@ def outcome(what: Request, name: str, law: Law) -> Outcome:
     """The outcome of a flick on a table."""
     assert what.start is not None
     law = replace(law, resistances=what.law.resistances)
-    motion = simulate(what.body, what.start, law, **asdict(what.options))
+    motion = simulate(what.body, what.start, law, options=what.options)
     return Outcome(name, limit_of(what, law), motion)

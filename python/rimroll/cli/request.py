@@ -81,6 +81,7 @@ def requested(
     what = _body(preset, sizes, scenario)
     options = _options(motion, scenario.options if scenario else Options())
     ground, flat = _shaken(shaking, scenario, file)
+    options = replace(options, flat=flat)
     has_duration = motion.duration is not None or bool(scenario and scenario.has_duration)
     if ground is not None and not has_duration:
         options = replace(options, duration=ground.duration + AFTER)
@@ -103,7 +104,6 @@ def requested(
         law=with_resistances(contact, resistances, what, options.gravity),
         options=options,
         ground=ground,
-        flat=flat,
         has_duration=has_duration,
         has_file=scenario is not None,
         name=preset or (str(file) if file else "your body" if sizes else DEFAULT),
@@ -116,9 +116,9 @@ def _shaken(
 ) -> tuple[Ground | None, FlatLanding]:
     """The ground and the flat landing of the options, or else of the file."""
     ground = scenario.ground if scenario else None
-    has_flat = bool(scenario and scenario.has_flat)
+    flat = scenario.options.flat if scenario else None
     if shaking is None:
-        if ground is not None or has_flat or (scenario and scenario.options.flat_gap):
+        if ground is not None or flat is not None or (scenario and scenario.options.flat_gap):
             raise RimrollError(
                 f"{file}: [ground], flat and flat_gap are for rimroll simulate, shake and fragility"
             )
@@ -127,7 +127,6 @@ def _shaken(
         ground = shaking.ground
     elif ground is not None:
         ground = shaking.change(ground)
-    flat = scenario.flat if scenario and has_flat else None
     given = flat if shaking.flat is None else shaking.flat
     return ground, landing_given(given, ground is not None)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -167,10 +167,9 @@ def _follow(what: Request) -> Motion:
             what.body,
             what.start,
             what.law,
-            **asdict(what.options),
             ground=what.ground,
-            flat=what.flat,
             progress=progress,
+            options=what.options,
         )
 
 

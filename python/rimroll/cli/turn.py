@@ -153,7 +153,7 @@ def _limits(what: Request, named: bool) -> list[Limit]:
 def _motion(what: Request) -> Motion:
     assert what.start is not None
     with working(f"following the motion ({typed(what.law.name)})"):
-        return simulate(what.body, what.start, what.law, **asdict(what.options))
+        return simulate(what.body, what.start, what.law, options=what.options)
 
 
 def _answer(what: Request, limits: list[Limit], motions: dict[str, Motion]) -> dict[str, Any]:

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll import _core
 from rimroll.body import Body, body_of, one_body
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
@@ -19,11 +18,13 @@ from rimroll.falls import Falls, Interrupted
 from rimroll.given import Number
 from rimroll.laws import IDEAL, Law, law_of, one_law
 from rimroll.many_falls import OPTIONS, follow
-from rimroll.options import Options
+from rimroll.options import Keywords, Options, takes_options
 from rimroll.state import State
 from rimroll.theory import arrival, turn_limit
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
     import xarray as xr
 
 
@@ -31,6 +32,7 @@ FALLING = replace(OPTIONS, rtol=1e-6)
 """The defaults of :func:`topple`."""
 
 
+@takes_options(FALLING, "flat", "flat_gap")
 def topple(
     body: Body,
     law: Law,
@@ -38,13 +40,11 @@ def topple(
     release: Release | str = "flick",
     seed: int | None = None,
     *,
-    gravity: Number = _core.STANDARD_GRAVITY,
-    duration: Number = 10.0,
-    rtol: float = 1e-6,
-    topple_tilt: Number | None = None,
-    max_steps: int = 100_000,
+    duration: Number | None = None,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[Keywords],
 ) -> xr.Dataset:
     """Release a body ``n`` times by hand, and compute each fall.
 
@@ -60,7 +60,7 @@ def topple(
     seed
         Seed of the scatter, a whole number >= 0. By default it is random, and stored in the
         attributes. Trial k is the same whatever ``n`` and ``threads``.
-    gravity, duration, rtol, topple_tilt, max_steps, threads, progress
+    duration, gravity, rtol, topple_tilt, max_steps, options, threads, progress
         As for :func:`rimroll.ensemble`. At the default ``rtol`` a turn is right to 1e-4 degrees.
 
     Returns
@@ -78,8 +78,8 @@ def topple(
     Interrupted
         On Ctrl-C; it carries the falls done so far.
     """
-    options = Options.read(duration, gravity, rtol, topple_tilt, max_steps)
-    return let_go(body, law, n, release, seed, options, threads, progress).to_xarray()
+    chosen = FALLING.changed(options, duration, keywords)
+    return let_go(body, law, n, release, seed, chosen, threads, progress).to_xarray()
 
 
 def let_go(

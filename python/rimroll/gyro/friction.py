@@ -91,7 +91,7 @@ def _turns(
         yaw_rate=yaw_rate,
         spin_rate=spin_rate - yaw_rate * math.cos(one.tilt_before),
     )
-    options = Options.read(3.0, gravity, 1e-8, None, 100_000)
+    options = Options(3.0, gravity=gravity, rtol=1e-8, max_steps=100_000)
     falls = follow(body, start, Coulomb(frictions), options, threads=1)
     return np.abs(np.asarray(falls["turn"], np.float64))
 

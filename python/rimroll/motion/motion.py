@@ -18,7 +18,7 @@ from rimroll.errors import RimrollError, hold
 from rimroll.given import Values, whole_number
 from rimroll.laws import InPlace, Law, law_of
 from rimroll.motion.crossings import checked, crossings
-from rimroll.motion.flat import FlatLanding, flat_as_text, flat_given, flat_in_core
+from rimroll.motion.flat import flat_as_text, flat_in_core, landing_given
 from rimroll.motion.jacobian import QUANTITIES, SHAKEN_PARAMETERS, Jacobian
 from rimroll.motion.moments import ROW_OF, UNITS, Array, Moments
 from rimroll.motion.parts import Event, Phase, Stats, Turn, events_of
@@ -66,7 +66,6 @@ class Motion(Moments):
         options: Options,
         has_jacobian: bool = False,
         ground: Ground | None = None,
-        flat: FlatLanding = "stop",
     ) -> None:
         self._core = core
         self.body = body
@@ -81,7 +80,7 @@ class Motion(Moments):
         self.status = core.status
         self._has_jacobian = has_jacobian
         self.ground = ground
-        self.flat = flat
+        self.flat = landing_given(options.flat, ground is not None)
         self.flat_gap = options.flat_gap
 
     @cached_property
@@ -264,7 +263,6 @@ class Motion(Moments):
                 self._has_jacobian,
                 None,
                 self.ground,
-                self.flat,
             ),
         )
 
@@ -545,7 +543,6 @@ class Motion(Moments):
             options_of(dataset),
             jacobian,
             ground=ground_of(dataset),
-            flat=flat_given(dataset.attrs.get("flat", "stop")),
         )
 
     def parameters(self) -> dict[str, Any]:
@@ -585,9 +582,9 @@ def follow(
     has_jacobian: bool = False,
     progress: Callable[[float], object] | None = None,
     ground: Ground | None = None,
-    flat: FlatLanding = "stop",
 ) -> Motion:
     """What :func:`rimroll.simulate` computes, from arguments that are already checked."""
+    flat = landing_given(options.flat, ground is not None)
     core = _core.simulate(
         body,
         start,
@@ -598,4 +595,4 @@ def follow(
         None if ground is None else ground.core,
         flat_in_core(flat, options.flat_gap),
     )
-    return Motion(core, body, start, law, options, has_jacobian, ground, flat)
+    return Motion(core, body, start, law, options, has_jacobian, ground)

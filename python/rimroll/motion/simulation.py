@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, overload
 
-from rimroll import _core
 from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, callback, expect
 from rimroll.given import Number, number
 from rimroll.laws import Law, one_law
-from rimroll.motion.flat import FlatLanding, ground_given, landing_given
+from rimroll.motion.flat import ground_given
 from rimroll.motion.motion import Motion, follow
-from rimroll.options import Options
+from rimroll.options import Keywords, Options, takes_options
 from rimroll.polygon.body import PolygonalBody
 from rimroll.state import State, single
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
     from rimroll.ground.ground import Ground
     from rimroll.polygon.motion import PolygonMotion
 
@@ -26,14 +27,12 @@ def simulate(
     body: PolygonalBody,
     start: State,
     law: Law,
-    duration: Number = 2.0,
+    duration: Number | None = None,
     *,
-    gravity: Number = _core.STANDARD_GRAVITY,
-    rtol: float = 1e-10,
-    topple_tilt: Number | None = None,
-    max_steps: int = 1_000_000,
     restitution: float = 0.0,
     progress: Callable[[float], object] | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[Keywords],
 ) -> PolygonMotion: ...
 
 
@@ -42,36 +41,29 @@ def simulate(
     body: Body,
     start: State,
     law: Law,
-    duration: Number = 2.0,
+    duration: Number | None = None,
     *,
-    gravity: Number = _core.STANDARD_GRAVITY,
-    rtol: float = 1e-10,
-    topple_tilt: Number | None = None,
-    max_steps: int = 1_000_000,
     ground: Ground | None = None,
-    flat: FlatLanding | None = None,
-    flat_gap: Number = 0.0,
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
+    options: Options | None = None,
+    **keywords: Unpack[Keywords],
 ) -> Motion: ...
 
 
+@takes_options(Options())
 def simulate(
     body: Body | PolygonalBody,
     start: State,
     law: Law,
-    duration: Number = 2.0,
+    duration: Number | None = None,
     *,
-    gravity: Number = _core.STANDARD_GRAVITY,
-    rtol: float = 1e-10,
-    topple_tilt: Number | None = None,
-    max_steps: int = 1_000_000,
     ground: Ground | None = None,
-    flat: FlatLanding | None = None,
-    flat_gap: Number = 0.0,
     restitution: float = 0.0,
     progress: Callable[[float], object] | None = None,
     jacobian: bool = False,
+    options: Options | None = None,
+    **keywords: Unpack[Keywords],
 ) -> Motion | PolygonMotion:
     """Follow a body from a start under a contact law.
 
@@ -132,6 +124,9 @@ def simulate(
     progress
         Called occasionally in a long motion with the time reached, s. With ``jacobian`` the
         derivatives are computed after the motion, and the times begin again at 0.
+    options
+        All of duration, gravity, rtol, topple_tilt, max_steps, flat and flat_gap together; any of
+        these keywords that is given as well takes the place of theirs.
     jacobian
         Whether to compute derivatives, too: see :meth:`Motion.jacobian`. They take about thirty
         times as long under ``NoSlip`` and ``Frictionless``, and longer under other laws.
@@ -166,23 +161,22 @@ def simulate(
         one_body(body)
     expect("start", start, State)
     one_law(law)
-    options = Options.read(duration, gravity, rtol, topple_tilt, max_steps, flat_gap)
+    chosen = Options().changed(options, duration, keywords)
     if isinstance(body, PolygonalBody):
         from rimroll.polygon.motion import follow as follow_corners
 
-        if ground is not None or flat not in (None, "stop") or options.flat_gap or jacobian:
+        if ground is not None or chosen.flat not in (None, "stop") or chosen.flat_gap or jacobian:
             raise RimrollError(
                 "a body with corners takes no ground, flat, flat_gap or jacobian: its table is"
                 " level and at rest. rimroll.Body, with a round rim, takes them"
             )
         callback("progress", progress)
         bounce = number("restitution", restitution)
-        return follow_corners(body, single(start), law, options, bounce, progress)
+        return follow_corners(body, single(start), law, chosen, bounce, progress)
     if restitution != 0.0:
         raise RimrollError(
             "the restitution of a round body belongs to its law: Coulomb(0.3, restitution=0.5)"
         )
     moving = ground_given(ground)
-    landing = landing_given(flat, moving is not None)
     callback("progress", progress)
-    return follow(body, single(start), law, options, bool(jacobian), progress, moving, landing)
+    return follow(body, single(start), law, chosen, bool(jacobian), progress, moving)

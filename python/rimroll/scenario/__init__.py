@@ -16,7 +16,6 @@ from rimroll import bodies
 from rimroll.body import Body
 from rimroll.errors import RimrollError
 from rimroll.laws import AirDrag, Law, PivotingFriction, Resistance, RollingResistance
-from rimroll.motion.flat import FlatLanding
 from rimroll.options import Options
 from rimroll.state import State
 
@@ -36,9 +35,6 @@ class Scenario:
     law: Law
     options: Options
     ground: Ground | None = None
-    flat: FlatLanding = "stop"
-    has_flat: bool = False
-    """Whether the file says what follows a flat landing, which else is ``housner`` on a ground."""
     has_duration: bool = False
     """Whether the file gives the duration, which else is 10 s longer than that of a ground."""
 

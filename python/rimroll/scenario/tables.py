@@ -270,14 +270,15 @@ def scenario(content: dict[str, Any], folder: Path = Path()) -> Scenario:
     has_duration = "duration" in simulation.model_fields_set
     if ground is not None and not has_duration:
         options = replace(options, duration=ground.duration + AFTER)
+    if simulation.flat is not None:
+        flat = made("[simulation]", lambda: read_flat(simulation.flat, ground is not None))
+        options = replace(options, flat=flat)
     return Scenario(
         body=body,
         start=start,
         law=read_law(file.law, body, simulation.gravity),
         options=options,
         ground=ground,
-        flat=made("[simulation]", lambda: read_flat(simulation.flat, ground is not None)),
-        has_flat=simulation.flat is not None,
         has_duration=has_duration,
     )
 

@@ -18,7 +18,6 @@ from rimroll.errors import RimrollError
 from rimroll.falls import Column, Falls
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law
-from rimroll.motion.flat import FlatLanding
 from rimroll.options import Options
 from rimroll.shaking.lognormal import Counts, reached
 from rimroll.shaking.many import follow_shaken
@@ -102,7 +101,6 @@ class Rocking:
     start: State
     law: Law
     options: Options
-    flat: FlatLanding
     duration: float | None = None
     limits: tuple[float | None, ...] = (None,)
     """The limit states: largest tilts over the balance tilt, and None for overturning."""
@@ -126,7 +124,6 @@ class Rocking:
             scale=xr.DataArray(factors, dims=("ground", "level")),
             duration=self.duration,
             options=self.options,
-            flat=self.flat,
             threads=self.threads,
             progress=progress,
         )

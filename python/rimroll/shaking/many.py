@@ -14,19 +14,21 @@ from rimroll.body import Bodies, Body
 from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.falls import Column, Falls
 from rimroll.falls import rows as in_rows
-from rimroll.given import Number, Values, thread_count, values
+from rimroll.given import Values, thread_count, values
 from rimroll.grid import is_labelled
 from rimroll.ground.ground import MAX_FACTOR, Ground
 from rimroll.laws import Law, OneLaw, contact_law, only_fixed, varied_numbers
 from rimroll.many_columns import LOSSES, energy_lost, inputs, unless_stopped
-from rimroll.motion.flat import ON_MOVING_TABLES, FlatLanding, flat_given, flat_in_core
-from rimroll.options import Options
+from rimroll.motion.flat import ON_MOVING_TABLES, flat_in_core, landing_given
+from rimroll.options import Keywords, Options, takes_options
 from rimroll.recorded import parameters
 from rimroll.rows import Rows, Starts
 from rimroll.shaking.scales import rocking_frequency_of, tilt_of_balance
 from rimroll.state import State
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
     import xarray as xr
 
 Array = NDArray[np.float64]
@@ -91,6 +93,11 @@ class Shakings:
     duration: Array
 
 
+SHAKING = Options(rtol=1e-8, flat=ON_MOVING_TABLES)
+"""The defaults of functions that follow many motions on moving tables, besides the duration."""
+
+
+@takes_options(SHAKING, "duration")
 def shake_many(
     body: Body,
     starts: State,
@@ -99,14 +106,10 @@ def shake_many(
     *,
     scale: Values = 1.0,
     duration: Values | None = None,
-    gravity: Number = _core.STANDARD_GRAVITY,
-    rtol: float = 1e-8,
-    topple_tilt: Number | None = None,
-    max_steps: int = 1_000_000,
-    flat: FlatLanding = ON_MOVING_TABLES,
-    flat_gap: Number = 0.0,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[Keywords],
 ) -> xr.Dataset:
     """Follow bodies on moving tables to the end of each motion, on all processors.
 
@@ -130,7 +133,7 @@ def shake_many(
         Length of the motion, s: a number, (n,) or a data array. By default it is the
         duration of the ground and a further 20/p with the body's :func:`rimroll.rocking_frequency`
         p, in which nearly every body that overturns falls over.
-    gravity, rtol, topple_tilt, max_steps, flat, flat_gap
+    gravity, rtol, topple_tilt, max_steps, flat, flat_gap, options
         As for :func:`rimroll.simulate`.
     threads
         Number of threads; by default one for each processor.
@@ -164,8 +167,7 @@ def shake_many(
         grounds,
         scale=scale,
         duration=duration,
-        options=Options.read(1.0, gravity, rtol, topple_tilt, max_steps, flat_gap),
-        flat=flat,
+        options=SHAKING.changed(options, None, keywords),
         threads=threads,
         progress=progress,
     )
@@ -181,7 +183,6 @@ def follow_shaken(
     scale: Values,
     duration: Values | None,
     options: Options,
-    flat: FlatLanding,
     threads: int | None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Falls:
@@ -194,7 +195,7 @@ def follow_shaken(
     contact_law(law)
     workers = thread_count(threads)
     callback("progress", progress)
-    landing = flat_in_core(flat_given(flat), options.flat_gap)
+    flat = landing_given(options.flat, True)
     scales, durations = _positive("scale", scale), duration
     _expect_scales(scales)
     if durations is not None:
@@ -216,7 +217,12 @@ def follow_shaken(
         if progress is not None:
             progress(done, count)
 
-    settings = (options.rtol, options.topple_tilt, options.max_steps, landing)
+    settings = (
+        options.rtol,
+        options.topple_tilt,
+        options.max_steps,
+        flat_in_core(flat, options.flat_gap),
+    )
     try:
         table, stopped = _core.shake_many(shakings, options.gravity, *settings, workers, report)
     except RimrollError as refusal:

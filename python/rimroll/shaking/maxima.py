@@ -10,19 +10,19 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll import _core
 from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, expect, hold
 from rimroll.given import Number, Values, number, numbers, positive, random_seed, whole_number
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law, one_law
-from rimroll.motion.flat import ON_MOVING_TABLES, FlatLanding
-from rimroll.options import Options
+from rimroll.options import Keywords, Options, takes_options
 from rimroll.shaking.lognormal import UndecidedWarning, reached
-from rimroll.shaking.many import follow_shaken
+from rimroll.shaking.many import SHAKING, follow_shaken
 from rimroll.state import State, single
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
     import xarray as xr
     from matplotlib.figure import Figure
 
@@ -160,6 +160,7 @@ def imperfect_starts(
     )
 
 
+@takes_options(SHAKING)
 def random_maxima(
     body: Body,
     start: State,
@@ -170,12 +171,10 @@ def random_maxima(
     tilt_noise: Number,
     yaw_noise: Number = 0.0,
     seed: int = 0,
-    flat: FlatLanding = ON_MOVING_TABLES,
-    flat_gap: Number = 0.0,
-    gravity: Number = _core.STANDARD_GRAVITY,
-    rtol: float = 1e-8,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[Keywords],
 ) -> Maxima:
     """The largest tilts of one test with small random imperfections of the start.
 
@@ -187,7 +186,7 @@ def random_maxima(
         The test: single ones.
     count, tilt_noise, yaw_noise, seed
         As for :func:`rimroll.imperfect_starts`.
-    flat, flat_gap, gravity, rtol, threads, progress
+    gravity, rtol, topple_tilt, max_steps, flat, flat_gap, options, threads, progress
         As for :func:`rimroll.shake_many`.
     """
     one_body(body)
@@ -200,8 +199,7 @@ def random_maxima(
         ground,
         scale=1.0,
         duration=None,
-        options=Options.read(1.0, gravity, rtol, None, 1_000_000, flat_gap),
-        flat=flat,
+        options=SHAKING.changed(options, None, keywords),
         threads=threads,
         progress=progress,
     )

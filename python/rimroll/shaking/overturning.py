@@ -10,22 +10,22 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll import _core
 from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, expect
 from rimroll.falls import Falls
 from rimroll.given import Number, Values, number, positive
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law, NoSlip
-from rimroll.motion.flat import ON_MOVING_TABLES, FlatLanding
-from rimroll.options import Options
+from rimroll.options import Keywords, Options, takes_options
 from rimroll.shaking.lognormal import reached
-from rimroll.shaking.many import follow_shaken
+from rimroll.shaking.many import SHAKING, follow_shaken
 from rimroll.shaking.rocking import flat_array
 from rimroll.shaking.scales import rocking_frequency, tangent
 from rimroll.state import State
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
     import xarray as xr
     from matplotlib.figure import Figure
 
@@ -35,6 +35,7 @@ Flags = NDArray[np.bool_]
 MAX_HALVINGS = 60
 
 
+@takes_options(SHAKING)
 def overturning_scale(
     body: Body,
     start: State,
@@ -43,11 +44,9 @@ def overturning_scale(
     scales: Values,
     *,
     precision: Number = 1e-4,
-    flat: FlatLanding = ON_MOVING_TABLES,
-    flat_gap: Number = 0.0,
-    gravity: Number = _core.STANDARD_GRAVITY,
-    rtol: float = 1e-8,
     threads: int | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[Keywords],
 ) -> xr.Dataset:
     """The least factor on each ground that overturns a body.
 
@@ -65,7 +64,7 @@ def overturning_scale(
         The factors that are tried (n,), in increasing order.
     precision
         The relative width of the interval in which the factor is then known.
-    flat, flat_gap, gravity, rtol, threads
+    gravity, rtol, topple_tilt, max_steps, flat, flat_gap, options, threads
         As for :func:`rimroll.shake_many`; by default an impact of the whole base is plastic.
 
     Returns
@@ -95,7 +94,7 @@ def overturning_scale(
     width = number("precision", precision)
     if not 1e-12 <= width <= 0.5:
         raise RimrollError(field="precision", value=width, bound="between 1e-12 and 0.5")
-    options = Options.read(1.0, gravity, rtol, None, 1_000_000, flat_gap)
+    settings = SHAKING.changed(options, None, keywords)
 
     def follow(chosen: list[Ground], factors: Array) -> Falls:
         return follow_shaken(
@@ -105,8 +104,7 @@ def overturning_scale(
             chosen,
             scale=factors,
             duration=None,
-            options=options,
-            flat=flat,
+            options=settings,
             threads=threads,
         )
 
@@ -199,6 +197,7 @@ class OverturningSpectrum:
         return overturning_figure(self)
 
 
+@takes_options(SHAKING)
 def overturning_spectrum(
     body: Body,
     pulse: Callable[[float, float], Ground],
@@ -208,11 +207,9 @@ def overturning_spectrum(
     law: Law | None = None,
     start: State | None = None,
     precision: Number = 1e-4,
-    flat: FlatLanding = ON_MOVING_TABLES,
-    flat_gap: Number = 0.0,
-    gravity: Number = _core.STANDARD_GRAVITY,
-    rtol: float = 1e-8,
     threads: int | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[Keywords],
 ) -> OverturningSpectrum:
     """The least amplitude of a pulse that overturns a body, for many frequencies.
 
@@ -230,7 +227,7 @@ def overturning_spectrum(
         The a_p/(g tan α) that are tried (k,), in increasing order; by default 60 from 1 to 30. The
         overturning region need not be connected: the result is the least amplitude, and a region
         that is narrower than the step between two of these may be missed.
-    law, start, precision, flat, flat_gap, gravity, rtol, threads
+    law, start, precision, gravity, rtol, topple_tilt, max_steps, flat, flat_gap, options, threads
         As for :func:`rimroll.overturning_scale`. By default the rim does not slip, the body stands
         flat at first, and an impact of the whole base is plastic.
 
@@ -243,7 +240,8 @@ def overturning_spectrum(
     one_body(body)
     if not body.height > 0.0:
         raise RimrollError("must have height: a disk has no balance tilt", "body")
-    g = positive("gravity", gravity, "m/s^2")
+    settings = SHAKING.changed(options, None, keywords)
+    g = positive("gravity", settings.gravity, "m/s^2")
     ratios = flat_array("frequency_ratios", frequency_ratios)
     default = np.geomspace(1.0, 30.0, 60)
     tried = flat_array(
@@ -261,11 +259,8 @@ def overturning_spectrum(
         grounds,
         unit * tried,
         precision=precision,
-        flat=flat,
-        flat_gap=flat_gap,
-        gravity=g,
-        rtol=rtol,
         threads=threads,
+        options=settings,
     )
     return OverturningSpectrum(
         ratios,

@@ -10,19 +10,19 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll import _core
 from rimroll.body import Body, one_body
 from rimroll.errors import expect, hold
-from rimroll.given import Number, Values, numbers, positive
+from rimroll.given import Values, numbers, positive
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law, NoSlip
-from rimroll.motion.flat import ON_MOVING_TABLES, FlatLanding
-from rimroll.options import Options
-from rimroll.shaking.many import follow_shaken
+from rimroll.options import Keywords, Options, takes_options
+from rimroll.shaking.many import SHAKING, follow_shaken
 from rimroll.shaking.scales import with_rocking_frequency
 from rimroll.state import State
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
     import xarray as xr
     from matplotlib.figure import Figure
 
@@ -72,6 +72,7 @@ class RockingSpectrum:
         return rocking_figure(self)
 
 
+@takes_options(SHAKING)
 def rocking_spectrum(
     body: Body,
     ground: Ground,
@@ -79,12 +80,10 @@ def rocking_spectrum(
     *,
     law: Law | None = None,
     start: State | None = None,
-    flat: FlatLanding = ON_MOVING_TABLES,
-    flat_gap: Number = 0.0,
-    gravity: Number = _core.STANDARD_GRAVITY,
-    rtol: float = 1e-8,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
+    options: Options | None = None,
+    **keywords: Unpack[Keywords],
 ) -> RockingSpectrum:
     """The largest tilts of bodies of one shape and of many sizes on one ground.
 
@@ -97,10 +96,11 @@ def rocking_spectrum(
     periods
         2π/p of the bodies (n,), s; see :func:`rimroll.rocking_frequency`. p² is inversely
         proportional to the size.
-    law, start, flat
-        By default the rim does not slip, the bodies stand flat at first, and an impact of the whole
-        base is plastic (Housner 1963), as in planar rocking spectra (Makris & Konstantinidis 2003).
-    flat_gap, gravity, rtol, threads, progress
+    law, start
+        By default the rim does not slip and the bodies stand flat at first. An impact of the whole
+        base is plastic by default, too (``flat``; Housner 1963), as in planar rocking spectra
+        (Makris & Konstantinidis 2003).
+    gravity, rtol, topple_tilt, max_steps, flat, flat_gap, options, threads, progress
         As for :func:`rimroll.shake_many`.
 
     Raises
@@ -110,7 +110,8 @@ def rocking_spectrum(
     """
     one_body(body)
     expect("ground", ground, Ground)
-    g = positive("gravity", gravity, "m/s^2")
+    settings = SHAKING.changed(options, None, keywords)
+    g = positive("gravity", settings.gravity, "m/s^2")
     period = flat_array("periods", periods, "s")
     axis = _axis("period", period, "s")
     bodies = with_rocking_frequency(body, 2.0 * math.pi / axis, g)
@@ -121,8 +122,7 @@ def rocking_spectrum(
         ground,
         scale=1.0,
         duration=None,
-        options=Options.read(1.0, g, rtol, None, 1_000_000, flat_gap),
-        flat=flat,
+        options=settings,
         threads=threads,
         progress=progress,
     )

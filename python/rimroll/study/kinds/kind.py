@@ -12,7 +12,7 @@ from rimroll.options import Options
 from rimroll.study.cases import Call
 from rimroll.study.plan import Progress
 
-OPTION_NAMES = tuple(one.name for one in fields(Options) if one.name != "flat_gap")
+OPTION_NAMES = tuple(one.name for one in fields(Options) if one.name not in ("flat", "flat_gap"))
 """The keys of [simulation] that are options of the solver for all motions."""
 
 

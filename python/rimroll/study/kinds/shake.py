@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from numpy.typing import NDArray
@@ -62,8 +62,7 @@ class Shaken:
             call.grounds,
             scale=call.scale,
             duration=call.duration,
-            options=call.options,
-            flat=call.flat,
+            options=replace(call.options, flat=call.flat),
             threads=threads,
             progress=progress,
         )
