@@ -2,10 +2,10 @@ import { defineConfig } from "vitest/config";
 import { ALONE, aloneBuild, onlyScript, tablesAlone } from "./alone";
 import { fields } from "./fields";
 import { licences } from "./licences";
+import { messages } from "./messages";
 import { offline } from "./offline";
 import { preview } from "./preview";
 import { smallShaders } from "./shaders";
-import { unloaded } from "./unloaded";
 
 const FOLDER = "../python/rimroll/page";
 
@@ -25,13 +25,13 @@ export default defineConfig(({ mode }) => ({
   ...(mode === ALONE && { resolve: { alias: tablesAlone } }),
   plugins: [
     smallShaders(),
+    messages(),
     ...(mode === ALONE
       ? [onlyScript()]
       : [
           licences("licences.txt", ["serwist"]),
           fields("setup.json"),
           preview(),
-          unloaded(),
           offline(FOLDER, "offline.js"),
         ]),
   ],

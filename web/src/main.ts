@@ -17,7 +17,7 @@ import "./story/story.css";
 import "./style/page.css";
 import { mountLanguages } from "./words/choice";
 import { translatePage } from "./words/translate";
-import { words } from "./words/words";
+import { say, words } from "./words/words";
 
 const section = (id: string) => document.getElementById(id) as HTMLElement;
 
@@ -64,7 +64,7 @@ start().catch(notStarted);
 function notStarted(error: unknown): void {
   console.error(error);
   section(shownPart()).replaceChildren(
-    element("p", { class: "no-page", role: "alert" }, words.notStarted(why(error))),
+    element("p", { class: "no-page", role: "alert" }, say(words.notStarted, { why: why(error) })),
   );
 }
 

@@ -25,7 +25,7 @@ import type { Palette } from "../scene/palette";
 import { type Footing, type Rim, footingOf, poseOf, setPose, standingSpot } from "../scene/pose";
 import { PIXEL, Ribbon, type Stroke } from "../scene/ribbon";
 import { Shade } from "../scene/shade";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 import { type Dash, dashesAlong, dashesUntil } from "./dashes";
 import { type Layout, isBeside, layoutOf } from "./layout";
 
@@ -204,7 +204,7 @@ export class Ghost {
     const angle = formatDegrees(Math.abs(progress.angle), 1);
     labels.set(
       labelIds.turned,
-      words.compare.label("B", words.scene.ranRound(angle)),
+      say(words.compare.label, { which: "B", text: say(words.scene.ranRound, { angle }) }),
       wx + layout.offset.x,
       wy + layout.offset.y,
     );
@@ -218,7 +218,10 @@ export class Ghost {
     spot.set(0, 0, size.length).applyMatrix4(this.body.matrix);
     labels.set(
       labelIds.named,
-      words.compare.label("B", words.compare.drawn(setup.body, times)),
+      say(words.compare.label, {
+        which: "B",
+        text: say(words.compare.drawn, { ...words.nouns[setup.body], times }),
+      }),
       spot.x + layout.offset.x,
       spot.y + layout.offset.y,
       spot.z,

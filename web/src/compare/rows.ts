@@ -12,7 +12,7 @@ import { formatLengthShort } from "../format/sizes";
 import { formatDuration } from "../format/times";
 import { BODY_FIELDS, FIELDS, FLOOR_FIELDS, type FieldName, MOTION_FIELDS } from "../setup/fields";
 import type { Setup } from "../setup/setup";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 import type { Numbers } from "./numbers";
 
 export interface Row {
@@ -76,7 +76,8 @@ function inDegrees(decimals: number): Style {
 /** Numbers that differ by a factor. */
 const byFactor = (text: (value: number) => string): Style => ({
   text,
-  difference: (a, b) => (a > 0 && b > 0 ? words.compare.times(formatWide(b / a, 2)) : ""),
+  difference: (a, b) =>
+    a > 0 && b > 0 ? say(words.compare.times, { ratio: formatWide(b / a, 2) }) : "",
 });
 
 const percent: Style = {

@@ -5,7 +5,7 @@ import { button, element } from "../elements";
 import { formatDegrees } from "../format/numbers";
 import type { Lab } from "../lab";
 import type { Outcome } from "../simulation";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 import "./compare.css";
 import { numbersOf } from "./numbers";
 import { PRESETS, type PresetName } from "./presets";
@@ -106,7 +106,7 @@ function fill(lab: Lab, result: HTMLElement, said: HTMLElement, table: HTMLEleme
       ["A", outcome.value],
       ["B", other.outcome.value],
     ] as const)
-      if ("refused" in one) return texts.refused(which, one.refused);
+      if ("refused" in one) return say(texts.refused, { which, why: one.refused });
     if (!differ) return texts.same;
     return compared(a.value?.turn ?? NaN, b.value?.turn ?? NaN);
   }
@@ -116,17 +116,23 @@ function fill(lab: Lab, result: HTMLElement, said: HTMLElement, table: HTMLEleme
 function compared(a: number, b: number): string {
   const [mine, others] = [formatDegrees(a, 1), formatDegrees(b, 1)];
   if (Number.isNaN(a) || Number.isNaN(b)) return texts.none;
-  if (mine === others) return texts.equal(mine);
+  if (mine === others) return say(texts.equal, { angle: mine });
   // The difference of the rounded angles, as a reader would subtract them.
   const tenths = (angle: number) => Math.round((angle * 1800) / Math.PI);
   const apart = ((tenths(b) - tenths(a)) * Math.PI) / 1800;
-  return texts.turns(mine, others, formatDegrees(Math.abs(apart), 1), apart > 0);
+  return say(texts.turns, {
+    a: mine,
+    b: others,
+    apart: formatDegrees(Math.abs(apart), 1),
+    further: apart > 0,
+  });
 }
 
 /** How both motions end. */
 function endings(a: Outcome | undefined, b: Outcome | undefined): Row {
+  const known: Readonly<Record<string, string>> = texts.endings;
   const word = (outcome: Outcome | undefined) =>
-    outcome && "motion" in outcome ? (texts.endings[outcome.motion.status] ?? "–") : "–";
+    outcome && "motion" in outcome ? (known[outcome.motion.status] ?? "–") : "–";
   return { name: texts.ending, a: word(a), b: word(b), difference: "" };
 }
 

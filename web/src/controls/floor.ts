@@ -5,7 +5,7 @@ import { element } from "../elements";
 import { loadFloor } from "../floor/loading";
 import type { SetupForm } from "../inputs/setup_form";
 import { FIELDS, FLOOR_FIELDS } from "../setup/fields";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 export function floorGroup(form: SetupForm): HTMLElement {
   const summary = element("summary");
@@ -26,10 +26,13 @@ export function floorGroup(form: SetupForm): HTMLElement {
   });
   effect(() => {
     const { floor } = form.lab.setup.value;
-    summary.textContent = words.controls.floor(FIELDS.floor.choices[floor]);
+    summary.textContent = say(words.controls.floor, { state: begun(FIELDS.floor.choices[floor]) });
     const inside: readonly string[] = FLOOR_FIELDS;
     if (floor !== "rest" || form.lab.refusals.value.some(({ field }) => inside.includes(field)))
       details.open = true;
   });
   return details;
 }
+
+/** A text that begins inside a sentence. */
+const begun = (text: string) => text.charAt(0).toLowerCase() + text.slice(1);

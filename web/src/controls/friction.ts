@@ -5,7 +5,7 @@ import { button, element } from "../elements";
 import type { SetupForm } from "../inputs/setup_form";
 import { numberRow } from "../inputs/number";
 import { formatExact, formatFixed } from "../format/numbers";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 import { placed } from "./marks";
 
 /** Dry friction of a metal rim on these materials, as in rimroll.surfaces. */
@@ -24,7 +24,10 @@ export function frictionRow(form: SetupForm): HTMLElement {
     marks.append(
       placed(
         button(name, () => form.set("friction", friction), {
-          "aria-label": words.controls.frictionOf(name, formatExact(friction)),
+          "aria-label": say(words.controls.frictionOf, {
+            table: name,
+            friction: formatExact(friction),
+          }),
         }),
         "friction",
         friction,
@@ -43,8 +46,8 @@ export function frictionRow(form: SetupForm): HTMLElement {
     needed.hidden = !(friction >= 0);
     const text = `μ* ${formatFixed(friction, 3)}`;
     mark.textContent = text;
-    mark.setAttribute("aria-label", words.controls.neededLabel(text));
-    mark.dataset["help"] = words.controls.neededHelp(text);
+    mark.setAttribute("aria-label", say(words.controls.neededLabel, { friction: text }));
+    mark.dataset["help"] = say(words.controls.neededHelp, { friction: text });
     placed(mark, "friction", friction);
   });
   effect(() => {

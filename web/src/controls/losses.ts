@@ -5,7 +5,7 @@ import type { SetupForm } from "../inputs/setup_form";
 import { numberRow } from "../inputs/number";
 import { formatExact } from "../format/numbers";
 import { BY_HAND } from "../setup/setup";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 import { placed } from "./marks";
 
 /** Resisting force over normal force. */
@@ -18,7 +18,10 @@ export function lossesRow(form: SetupForm): HTMLElement {
     const resistance = LOSSES[table];
     const name = words.controls.losses[table];
     const mark = button(name, () => form.set("rolling", resistance), {
-      "aria-label": words.controls.lossesOf(name, formatExact(resistance)),
+      "aria-label": say(words.controls.lossesOf, {
+        table: name,
+        resistance: formatExact(resistance),
+      }),
     });
     marks.append(placed(mark, "rolling", resistance));
   }

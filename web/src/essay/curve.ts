@@ -5,7 +5,7 @@ import { svgElement } from "../elements";
 import { simulationInput } from "../setup/simulation_input";
 import { INITIAL, type Setup } from "../setup/setup";
 import { formatFixed } from "../format/numbers";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 export interface Line {
   name: string;
@@ -100,7 +100,11 @@ export class Curve {
     this.root.append(this.now);
     const spoken = lines.map(({ name, angles }) => {
       const known = angles.filter(Number.isFinite);
-      return words.essay.range(name, degrees(known[0]), degrees(known.at(-1)));
+      return say(words.essay.range, {
+        label: name,
+        from: degrees(known[0]),
+        to: degrees(known.at(-1)),
+      });
     });
     this.root.setAttribute("aria-label", `${about}: ${spoken.join("; ")}.`);
   }

@@ -25,7 +25,7 @@ import { Curve, POINTS, computeLines } from "./curve";
 import type { Scene } from "./scenes";
 import { type Facts, factsOf, guessInWords } from "./words";
 import { formatFixed } from "../format/numbers";
-import { sentences, words } from "../words/words";
+import { say, sentences, words } from "../words/words";
 
 /** The first fall stops at this part of the time to the smallest tilt. */
 const NEARLY = 0.9;
@@ -67,7 +67,7 @@ export class Figure {
     const status = control.kind === "guess" || scene.flicks ? { role: "status" } : {};
     this.result = element("p", { class: "result", ...status });
     const go = button(
-      scene.flicks ? words.flickTimes(INITIAL.flicks) : words.letGo,
+      scene.flicks ? say(words.flickTimes, { count: INITIAL.flicks }) : words.letGo,
       () => this.letGo(),
       {
         class: "primary go",
@@ -292,7 +292,11 @@ export class Figure {
       }));
       this.curve = new Curve(
         computeLines(this.lab.core, curve, setups),
-        words.essay.range(control.label, control.words(control.low), control.words(control.high)),
+        say(words.essay.range, {
+          label: control.label,
+          from: control.words(control.low),
+          to: control.words(control.high),
+        }),
         include,
       );
       this.curve.mark(this.control?.part() ?? 0);
@@ -325,9 +329,15 @@ export class Figure {
       const { from, to, width } = bins.value;
       picture.setAttribute(
         "aria-label",
-        sentences(words.story.histogram(`${from}°`, `${to}°`, `${width}°`), flickSummary(lab)),
+        sentences(
+          say(words.story.histogram, { from: `${from}°`, to: `${to}°`, width: `${width}°` }),
+          flickSummary(lab),
+        ),
       );
-      caption.textContent = sentences(words.story.caption(`${width}°`), words.story.measured);
+      caption.textContent = sentences(
+        say(words.story.caption, { width: `${width}°` }),
+        words.story.measured,
+      );
     });
     return element(
       "div",
@@ -387,5 +397,5 @@ function momentInWords(since: number): string {
       ? `${formatFixed(size * 1e6, 0)} µs`
       : `${formatFixed(size * 1e3, size < 0.01 ? 1 : 0)} ms`;
   if (size < 5e-7) return words.essay.atSmallest;
-  return words.essay.fromSmallest(text, since < 0 ? "before" : "after");
+  return say(words.essay.fromSmallest, { time: text, when: since < 0 ? "before" : "after" });
 }

@@ -5,7 +5,7 @@ import type { Playback } from "../setup/playback";
 import type { Line } from "./curve";
 import { type Facts, cameUp, ranRound } from "./words";
 import { formatDegrees, formatFixed, formatPrecise } from "../format/numbers";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** A slider for a quantity. */
 export interface Quantity {
@@ -98,7 +98,7 @@ export const SCENES: readonly Scene[] = [
       { name: words.essay.lines.limit, colour: "theory", of: "here", dashed: true },
     ],
     include: [180, 220],
-    says: ({ passage, gap, time }) => words.essay.hand(angleOf(passage), gap, time),
+    says: ({ passage, gap, time }) => say(words.essay.hand, { angle: angleOf(passage), gap, time }),
   },
   {
     id: "friction",
@@ -131,7 +131,11 @@ export const SCENES: readonly Scene[] = [
       },
     ],
     says: ({ passage, theory }) =>
-      words.essay.table(angleOf(passage), passage.rim === "rolled", formatDegrees(theory.here, 1)),
+      say(words.essay.table, {
+        angle: angleOf(passage),
+        rolled: passage.rim === "rolled",
+        limit: formatDegrees(theory.here, 1),
+      }),
   },
   {
     id: "tall-and-flat",
@@ -158,7 +162,10 @@ export const SCENES: readonly Scene[] = [
     },
     curve: [{ name: words.essay.lines.noSlipLimit, colour: "law-no_slip", of: "noSlip" }],
     says: ({ passage, theory }) =>
-      words.essay.cylinder(angleOf(passage), formatDegrees(theory.noSlip, 1)),
+      say(words.essay.cylinder, {
+        angle: angleOf(passage),
+        limit: formatDegrees(theory.noSlip, 1),
+      }),
   },
   {
     id: "disks-and-coins",
@@ -176,11 +183,11 @@ export const SCENES: readonly Scene[] = [
     },
     plays: true,
     says: ({ passage, theory }) =>
-      words.essay.limits(
-        angleOf(passage),
-        formatDegrees(theory.noSlip, 1),
-        formatDegrees(theory.frictionless, 1),
-      ),
+      say(words.essay.limits, {
+        angle: angleOf(passage),
+        noSlip: formatDegrees(theory.noSlip, 1),
+        frictionless: formatDegrees(theory.frictionless, 1),
+      }),
   },
   {
     id: "experiment",

@@ -6,7 +6,7 @@ import { formatLengthShort } from "../format/sizes";
 import { formatDuration } from "../format/times";
 import type { Setup } from "../setup/setup";
 import type { Passage } from "../verdict/passage";
-import { sentences, words } from "../words/words";
+import { say, sentences, words } from "../words/words";
 
 export interface Facts {
   passage: Passage;
@@ -43,8 +43,10 @@ export function cameUp({ passage, guess }: Facts): string {
   const apart = Math.abs(turned - said);
   const { essay } = words;
   return sentences(
-    essay.cameUp(`${said}°`, said === 180, `${turned}°`),
-    apart <= 3 ? essay.guessedWell : essay.guessedOff(`${apart}°`, turned > said),
+    say(essay.cameUp, { said: `${said}°`, straight: said === 180, turned: `${turned}°` }),
+    apart <= 3
+      ? essay.guessedWell
+      : say(essay.guessedOff, { angle: `${apart}°`, further: turned > said }),
   );
 }
 
@@ -53,13 +55,17 @@ export function ranRound({ passage, setup, gap, time }: Facts): string {
   const [angle, itself] = [passage.angle, passage.bodyAngle].map((angle) =>
     formatDegrees(Math.abs(angle), 1),
   ) as [string, string];
-  return words.essay.ranRound(angle, time, setup.body, itself, gap);
+  return say(words.essay.ranRound, { angle, time, ...words.nouns[setup.body], itself, gap });
 }
 
 /** The guess as people read it. */
 export function guessInWords(degrees: number): string {
   const aside = Math.abs(degrees - 180);
   return aside === 0
-    ? words.essay.straight(`${degrees}°`)
-    : words.essay.notStraight(`${degrees}°`, `${aside}°`, degrees > 180);
+    ? say(words.essay.straight, { angle: `${degrees}°` })
+    : say(words.essay.notStraight, {
+        angle: `${degrees}°`,
+        aside: `${aside}°`,
+        beyond: degrees > 180,
+      });
 }

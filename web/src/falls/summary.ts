@@ -3,7 +3,7 @@
 import type { Lab } from "../lab";
 import { type Side, type Tally, tallyOf } from "./tally";
 import { formatFixed } from "../format/numbers";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** A sentence on the flicks that are shown, or a notice while they are still appearing. */
 export function flickSummary(lab: Lab): string {
@@ -17,12 +17,11 @@ export function flickSummary(lab: Lab): string {
 
 /** The tally of a number of flicks in a sentence. */
 export function inWords({ outcome, left, right, others }: Tally, made: number): string {
-  const sides = [["left", left] as const, ["right", right] as const].map(([side, one]) => ({
-    side,
-    count: one.count,
-    angle: angleOf(one),
-  }));
-  return words.flicks.summary(made, sides, outcome === "toppled", others);
+  const fell = outcome === "toppled";
+  const to = (side: "left" | "right", falls: Side) =>
+    say(words.flicks.side, { side, fell, count: falls.count, angle: angleOf(falls) });
+  const sides = { left: to("left", left), right: to("right", right) };
+  return say(words.flicks.summary, { made, ...sides, others });
 }
 
 function angleOf({ count, mean, deviation }: Side): string {

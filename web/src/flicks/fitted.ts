@@ -7,7 +7,7 @@ import { type Measured, type Trial, fitOf, trials } from "../falls/fit";
 import { sliced } from "../falls/sliced";
 import { formatFixed } from "../format/numbers";
 import type { Setup } from "../setup/setup";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** `setup` and `measured` read signals; the fit varies the table and takes the rest of the set-up as it is. */
 export function fitted(
@@ -35,11 +35,11 @@ export function fitted(
       : !complete.value
         ? fit.running
         : best
-          ? fit.answer(
-              formatFixed(best.friction, 2),
-              formatFixed(best.low, 2),
-              formatFixed(best.high, 2),
-            )
+          ? say(fit.answer, {
+              friction: formatFixed(best.friction, 2),
+              low: formatFixed(best.low, 2),
+              high: formatFixed(best.high, 2),
+            })
           : fit.none;
   });
   return element("div", { class: "fitted" }, ask, said);

@@ -13,7 +13,7 @@ import { histogram } from "./histogram";
 import { ownFalls } from "./own_falls";
 import { MEASURED } from "../falls/paper";
 import { formatDegrees, formatFixed } from "../format/numbers";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 export function mountFlicks(lab: Lab, place: HTMLElement): void {
   const { flicks: text } = words;
@@ -35,7 +35,7 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
           <li><i class="no-slip"></i>${text.noSlip} <b class="no-slip-limit"></b></li>
           <li><i class="frictionless"></i>${text.frictionless} <b class="frictionless-limit"></b></li>
           <li class="for-here"><i class="here"></i>${text.here} <b class="here-limit"></b></li>
-          <li class="for-measured"><i class="measured"></i>${text.measured(measuredAngle("left"), measuredAngle("right"))}</li>
+          <li class="for-measured"><i class="measured"></i>${say(text.measured, { left: measuredAngle("left"), right: measuredAngle("right") })}</li>
         </ul>
         <p class="hint for-twisted">${text.twisted}</p>
       </figcaption>
@@ -73,7 +73,10 @@ export function mountFlicks(lab: Lab, place: HTMLElement): void {
   effect(() => {
     const { flicks } = lab.setup.value;
     const again = lab.flicksShown.value !== undefined;
-    make.textContent = again && flicks > 1 ? words.flickAgain(flicks) : words.flickTimes(flicks);
+    make.textContent =
+      again && flicks > 1
+        ? say(words.flickAgain, { count: flicks })
+        : say(words.flickTimes, { count: flicks });
     clear.hidden = !again;
   });
   effect(() => {

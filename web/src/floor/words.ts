@@ -7,7 +7,7 @@ import type { BodyName } from "../setup/fields";
 import type { Setup } from "../setup/setup";
 import type { Content } from "../verdict/content";
 import type { Shaking } from "./shaking";
-import { sentences, words } from "../words/words";
+import { say, sentences, words } from "../words/words";
 
 export function shakenVerdict(
   motion: Motion,
@@ -21,7 +21,7 @@ export function shakenVerdict(
   const { body } = setup;
   const { floor } = words;
   const stood = setup.start === "standing";
-  const rocks = tilt > 0 ? floor.itsLargestTilt(formatDegrees(tilt, 1)) : "";
+  const rocks = tilt > 0 ? say(floor.itsLargestTilt, { tilt: formatDegrees(tilt, 1) }) : "";
   return {
     theory: {
       name: floor.balanceTilt,
@@ -31,7 +31,7 @@ export function shakenVerdict(
     lowest: {
       name: floor.largestTilt,
       number: formatDegrees(tilt, 1),
-      note: balanceTilt > 0 ? floor.ofBalance(ratio) : "",
+      note: balanceTilt > 0 ? say(floor.ofBalance, { ratio }) : "",
     },
     then: {
       name: floor.uplift,
@@ -53,17 +53,22 @@ function ended(motion: Motion, body: BodyName, balanceTilt: number): Partial<Con
   const isBeyond = (motion.at([motion.end]).column("tilt")[0] ?? 0) > balanceTilt;
   switch (motion.status) {
     case "toppled":
-      return { ended: words.floor.overturns(body, after) };
+      return { ended: say(words.floor.overturns, { ...words.nouns[body], after }) };
     case "lifted_off":
-      return isBeyond ? { ended: words.floor.overturnsInAir(body, after) } : {};
+      return isBeyond
+        ? { ended: say(words.floor.overturnsInAir, { ...words.nouns[body], after }) }
+        : {};
     case "finished":
       return {
         ended: isBeyond
-          ? words.floor.undecided(after)
-          : words.floor.survives(STILL[motion.phases.at(-1)?.kind ?? ""] ?? "moving", after),
+          ? say(words.floor.undecided, { after })
+          : say(words.floor.survives, {
+              state: STILL[motion.phases.at(-1)?.kind ?? ""] ?? "moving",
+              after,
+            }),
       };
     case "face_down":
-      return { ended: words.floor.stops(after) };
+      return { ended: say(words.floor.stops, { after }) };
     default:
       return {};
   }
@@ -89,7 +94,10 @@ function floorInWords(motion: Motion, shaking: Shaking): string {
     strong = Math.max(strong, size("acceleration"));
   }
   if (strong === 0) return words.floor.isStill;
-  return words.floor.moves(`${significant(100 * far, 2)} cm`, `${significant(strong, 2)} m/s²`);
+  return say(words.floor.moves, {
+    far: `${significant(100 * far, 2)} cm`,
+    strong: `${significant(strong, 2)} m/s²`,
+  });
 }
 
 function begins(
@@ -100,11 +108,13 @@ function begins(
 ): string {
   if (uplift !== undefined)
     return stood
-      ? words.floor.beginsToRock(body, formatDuration(uplift))
-      : words.floor.rocksAgain(body, formatDuration(uplift));
-  if (!stood) return words.floor.leans(body);
+      ? say(words.floor.beginsToRock, { ...words.nouns[body], at: formatDuration(uplift) })
+      : say(words.floor.rocksAgain, { ...words.nouns[body], at: formatDuration(uplift) });
+  if (!stood) return say(words.floor.leans, { ...words.nouns[body] });
   const slides = motion.phases.some(({ kind }) => kind === "sliding_flat");
-  return slides ? words.floor.slides(body) : words.floor.stands(body);
+  return slides
+    ? say(words.floor.slides, { ...words.nouns[body] })
+    : say(words.floor.stands, { ...words.nouns[body] });
 }
 
 const timeOf = (motion: Motion, kind: string) =>

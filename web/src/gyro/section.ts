@@ -10,7 +10,7 @@ import "./gyro.css";
 import { toPhyphox } from "./phyphox";
 import { bodyRates } from "./rates";
 import { SIZE, Star } from "./star";
-import { sentences, words } from "../words/words";
+import { say, sentences, words } from "../words/words";
 
 export function mountGyro(lab: Lab, place: HTMLElement): void {
   const view = `${-SIZE} ${-SIZE} ${2 * SIZE} ${2 * SIZE}`;
@@ -33,10 +33,10 @@ export function mountGyro(lab: Lab, place: HTMLElement): void {
       if (!motion) return;
       const name = `rimroll-${lab.setup.value.body}-phyphox.csv`;
       download(name, toPhyphox(motion), "text/csv");
-      message.textContent = words.gyro.saved(
+      message.textContent = say(words.gyro.saved, {
         name,
-        `rimroll gyro ${name} ${optionsOf(lab.setup.value)}`,
-      );
+        command: `rimroll gyro ${name} ${optionsOf(lab.setup.value)}`,
+      });
     }),
   );
   place.append(
@@ -60,10 +60,14 @@ export function mountGyro(lab: Lab, place: HTMLElement): void {
     const veers = motion.turns
       .slice(0, 4)
       .map(({ angle }) => formatDegrees(Math.abs(angle) - Math.PI, 1));
-    said.textContent = veers.length > 0 ? words.gyro.veers(veers.join("; ")) : words.gyro.noTurn;
+    said.textContent =
+      veers.length > 0 ? say(words.gyro.veers, { angles: veers.join("; ") }) : words.gyro.noTurn;
     picture.setAttribute(
       "aria-label",
-      sentences(words.gyro.picture(`${formatNumber(largest, 3)} rad/s`), said.textContent),
+      sentences(
+        say(words.gyro.picture, { largest: `${formatNumber(largest, 3)} rad/s` }),
+        said.textContent,
+      ),
     );
   });
   effect(() => {

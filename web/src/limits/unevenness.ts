@@ -6,7 +6,7 @@ import { formatDegrees } from "../format/numbers";
 import { formatDuration } from "../format/times";
 import type { Lab } from "../lab";
 import type { Passage } from "../verdict/passage";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 import { touching } from "./touching";
 
 /** Heights of unevenness, m: a ground face, the general tolerances H, K and L for the flatness of faces 30 to 100 mm across
@@ -54,9 +54,9 @@ export function unevennessChoice(
 
 function inWords({ angle }: Passage, near: ReturnType<typeof touching>): string {
   if (!near) return words.limits.touchesOnce;
-  return words.limits.touches(
-    formatDuration(near.time),
-    formatDegrees(near.angle, 0),
-    formatDegrees(Math.abs(angle), 0),
-  );
+  return say(words.limits.touches, {
+    time: formatDuration(near.time),
+    angle: formatDegrees(near.angle, 0),
+    whole: formatDegrees(Math.abs(angle), 0),
+  });
 }

@@ -4,7 +4,7 @@ import { formatLengthShort, formatSpeed } from "../format/sizes";
 import { formatDuration } from "../format/times";
 import { formatWide } from "../format/numbers";
 import type { Validity } from "../core/motion";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 export interface Limit {
   name: string;
@@ -47,7 +47,7 @@ function rigid({ passageTime, soundTime, exceeded: { passageTime: exceeded } }: 
   return {
     name: limits.time,
     here: formatDuration(passageTime),
-    means: exceeded ? limits.bends(sound) : limits.isRigid(sound),
+    means: exceeded ? say(limits.bends, { sound }) : say(limits.isRigid, { sound }),
     exceeded,
   };
 }
@@ -56,7 +56,7 @@ function force({ forceRatio }: Validity): Limit {
   const { limits } = words;
   return {
     name: limits.force,
-    here: limits.timesWeight(formatWide(forceRatio, 2)),
+    here: say(limits.timesWeight, { ratio: formatWide(forceRatio, 2) }),
     means: limits.atOnePoint,
     exceeded: false,
   };

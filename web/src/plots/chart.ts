@@ -10,7 +10,7 @@ import type { Palette } from "./palette";
 import { powerText, powersOfTen, stretchText, tickTexts, timeLabel, timeUnit } from "./ticks";
 import { type Values, thinned } from "./thinned";
 import type { Stretch } from "./view";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** Curves with more points per CSS px of the width than this are thinned. */
 const MAX_DENSITY = 4;
@@ -179,8 +179,14 @@ export class Chart {
   private summary(curves: readonly Values[]): string {
     const [min, max] = bounds(curves);
     const range =
-      min > max ? words.plots.nothing : words.plots.range(this.valueText(min), this.valueText(max));
-    return words.plots.summary(this.figure.title, stretchText(this.shown), range);
+      min > max
+        ? words.plots.nothing
+        : say(words.plots.range, { low: this.valueText(min), high: this.valueText(max) });
+    return say(words.plots.summary, {
+      title: this.figure.title,
+      stretch: stretchText(this.shown),
+      range,
+    });
   }
 
   private options(): uPlot.Options {

@@ -7,7 +7,7 @@ import { type Rates, bodyRates, bodyRatesAt } from "../gyro/rates";
 import type { Colour } from "./palette";
 import { countBelow } from "../rising";
 import type { Values } from "./thinned";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** The data of a figure. */
 export interface Subject {
@@ -183,7 +183,7 @@ export const FIGURES: readonly Figure[] = [
 
 /** The line of a second motion. */
 function ofOther(line: Line): Line {
-  return { ...line, label: words.compare.plot(line.label), dash: DASHED };
+  return { ...line, label: say(words.compare.plot, { label: line.label }), dash: DASHED };
 }
 
 /** A column in another unit. */

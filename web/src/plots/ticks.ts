@@ -3,7 +3,7 @@
 import { SUPERSCRIPTS, formatNumber, significant, written } from "../format/numbers";
 import { type TimeUnit, formatDuration, unitFor } from "../format/times";
 import type { Stretch } from "./view";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** The unit for the times of a stretch. */
 export function timeUnit({ from, to }: Stretch): TimeUnit {
@@ -13,13 +13,13 @@ export function timeUnit({ from, to }: Stretch): TimeUnit {
 export function timeLabel(shown: Stretch): string {
   const { name } = timeUnit(shown);
   return shown.since === "start"
-    ? words.plots.timeLabel(name)
-    : words.plots.since(name, originText(shown));
+    ? say(words.plots.timeLabel, { unit: name })
+    : say(words.plots.since, { unit: name, origin: originText(shown) });
 }
 
 function originText({ since, origin }: Stretch): string {
   return since === "collision"
-    ? words.plots.collisionAt(`${significant(origin, 6)} s`)
+    ? say(words.plots.collisionAt, { time: `${significant(origin, 6)} s` })
     : `${formatNumber(origin, 12)} s`;
 }
 
@@ -38,8 +38,10 @@ export function tickTexts(places: readonly number[], unit: number): string[] {
 /** A stretch in words. */
 export function stretchText(shown: Stretch): string {
   const { since, from, to } = shown;
-  const stretch = words.plots.stretch(formatDuration(from), formatDuration(to));
-  return since === "start" ? stretch : words.plots.about(stretch, originText(shown));
+  const stretch = say(words.plots.stretch, { from: formatDuration(from), to: formatDuration(to) });
+  return since === "start"
+    ? stretch
+    : say(words.plots.about, { stretch, origin: originText(shown) });
 }
 
 /** Smallest distance between labels, CSS px. */

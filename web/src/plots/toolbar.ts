@@ -6,7 +6,7 @@ import type { Lab } from "../lab";
 import { FLOOR, type Figure } from "./figures";
 import { stretchText } from "./ticks";
 import type { View } from "./view";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** The phases and their colours. */
 const PHASES = {
@@ -35,7 +35,7 @@ export function toolbar(lab: Lab, view: View): HTMLElement {
   const farther = button("−", words.plots.zoomOut, () => view.zoom(0.5, about()));
   const shown = element("span", { class: "shown" });
   effect(() => {
-    shown.textContent = words.plots.shown(stretchText(view.shown.value));
+    shown.textContent = say(words.plots.shown, { stretch: stretchText(view.shown.value) });
     whole.disabled = farther.disabled = view.isWhole;
     close.disabled = view.collisions.value.length === 0;
   });
@@ -60,7 +60,7 @@ export function phaseKey(lab: Lab): HTMLElement {
   effect(() => {
     const time = lab.clock.time.value;
     const phase = lab.motion.value?.phases.findLast((phase) => phase.start <= time);
-    now.textContent = phase ? words.plots.now(inWords(phase.kind)) : "";
+    now.textContent = phase ? say(words.plots.now, { phase: inWords(phase.kind) }) : "";
   });
   const entries = Object.entries(PHASES).map(([phase, colour]) => {
     const swatch = element("i", { class: "area", style: `--swatch: var(--${colour})` });

@@ -24,7 +24,7 @@ import type { Pose } from "./pose";
 import { formatSmall } from "./lengths";
 import { Unrolled } from "./unrolled";
 import { formatNumber } from "../format/numbers";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** Radius of a mark and half the width of a post, in radii of the rim. */
 const [MARK, POST] = [0.028, 0.011];
@@ -148,8 +148,8 @@ export class Closeup {
 
 const labelOf = (gap: number, times: number) =>
   times > 1
-    ? words.scene.gapDrawn(formatSmall(gap), formatNumber(times))
-    : words.scene.gap(formatSmall(gap));
+    ? say(words.scene.gapDrawn, { gap: formatSmall(gap), times: formatNumber(times) })
+    : say(words.scene.gap, { gap: formatSmall(gap) });
 
 const flat = (opacity: number) =>
   new MeshBasicMaterial({

@@ -75,8 +75,8 @@ function help(): HTMLElement {
   box.setAttribute("aria-label", words.scene.help);
   box.append(element("p", "", words.scene.gestures), element("p", "", words.scene.keysTitle));
   const list = element("dl", "");
-  for (const [name, does] of words.scene.keys)
-    list.append(element("dt", "", name), element("dd", "", does));
+  for (const { key, does } of words.scene.keys)
+    list.append(element("dt", "", key), element("dd", "", does));
   box.append(list);
   details.append(summary, box);
   return details;

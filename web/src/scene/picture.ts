@@ -56,7 +56,7 @@ import { Trail } from "./trail";
 import { View } from "./view";
 import { type Limit, Wedge } from "./wedge";
 import { Labels } from "./labels";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** How far a shaken table may be from the middle of the picture, in radii of the circle of degrees. */
 const LEASH = 0.6;
@@ -335,7 +335,7 @@ export class Picture {
     const cell = powerOfTen(this.reach / 2.5);
     this.cell = cell / this.reach;
     for (const one of [this.table, this.shaken]) one?.setCell(this.cell);
-    this.frame.scale.textContent = words.scene.square(formatLength(cell));
+    this.frame.scale.textContent = say(words.scene.square, { length: formatLength(cell) });
     this.followed = undefined;
   }
 
@@ -498,10 +498,12 @@ export class Picture {
       labels.set(index, text, wx, wy, high);
       labels.dim(index, this.hidden(wx, wy));
     };
-    const ranRound = words.scene.ranRound(formatDegrees(Math.abs(progress.angle), 1));
+    const ranRound = say(words.scene.ranRound, {
+      angle: formatDegrees(Math.abs(progress.angle), 1),
+    });
     // Before the contact point runs, the visitor who guesses need not know that there is one.
     const early = guess !== undefined && Math.abs(progress.angle) < RUNS;
-    const turned = comparing ? words.compare.label("A", ranRound) : ranRound;
+    const turned = comparing ? say(words.compare.label, { which: "A", text: ranRound }) : ranRound;
     label(labelIds.turned, early ? "" : turned, progress.angle / 2, 1.13);
     // Before a guess is answered, one label is enough.
     if (guess === undefined) this.labelBody(progress);
@@ -522,7 +524,13 @@ export class Picture {
     if (guess === undefined) return labels.set(labelIds.guess, "", 0, 0);
     this.guess.show(x, y, zero + sense * guess, palette.ink);
     // The label is above the line, as on a signpost.
-    label(labelIds.guess, words.scene.guess(formatDegrees(guess, 0)), sense * guess, 1.2, SIGNPOST);
+    label(
+      labelIds.guess,
+      say(words.scene.guess, { angle: formatDegrees(guess, 0) }),
+      sense * guess,
+      1.2,
+      SIGNPOST,
+    );
   }
 
   /** Shows the rotation of the body itself, at the mark on it. */
@@ -531,7 +539,10 @@ export class Picture {
     const { x, y, z } = spot.copy(markPlace(this.size)).applyMatrix4(this.body.matrix);
     labels.set(
       labelIds.itself,
-      words.scene.itself(lab.setup.peek().body, formatDegrees(bodyAngleAlongContact(progress), 1)),
+      say(words.scene.itself, {
+        ...words.nouns[lab.setup.peek().body],
+        angle: formatDegrees(bodyAngleAlongContact(progress), 1),
+      }),
       x,
       y,
       z,

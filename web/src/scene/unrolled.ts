@@ -7,7 +7,7 @@ import type { Lab, TurnProgress } from "../lab";
 import { MARK_PLACE } from "./bodies/mark";
 import { MARKS } from "./gap";
 import { formatSmall } from "./lengths";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** Lengths in m. */
 export interface Runs {
@@ -122,7 +122,10 @@ export class Unrolled {
     // While the motion plays, the description of its last stop stays.
     if (this.lab.clock.playing.peek() && this.element.hasAttribute("aria-label")) return;
     const [rim, table] = [runs.rim, runs.table].map((run) => formatSmall(Math.abs(run)));
-    this.element.setAttribute("aria-label", words.scene.runs(rim!, table!, slipOf(runs, radius)));
+    this.element.setAttribute(
+      "aria-label",
+      say(words.scene.runs, { rim: rim!, table: table!, slip: slipOf(runs, radius) }),
+    );
   }
 }
 
@@ -134,7 +137,9 @@ function firstMark(spin: number, sense: number): number {
 
 function slipOf({ slip }: Runs, radius: number): string {
   // Below this the computed slip of a rolling body is rounding.
-  return slip < 1e-9 * radius ? words.scene.noSlipYet : words.scene.slipped(formatSmall(slip));
+  return slip < 1e-9 * radius
+    ? words.scene.noSlipYet
+    : say(words.scene.slipped, { length: formatSmall(slip) });
 }
 
 function strip(name: "rim" | "table") {

@@ -8,7 +8,7 @@ import { showStep } from "../story/show_step";
 import { STEPS } from "../story/steps";
 import { INITIAL } from "./setup";
 import { fromHash, holdsSetup, inFull, toHash } from "./url";
-import { words } from "../words/words";
+import { choiceOf, say, words } from "../words/words";
 
 /** Reads the set-up from the address, now and whenever the visitor edits it or goes back, and writes changes
  * back. A page that rimroll.lab makes has the set-up in its first element. */
@@ -42,11 +42,11 @@ export function readLink(lab: Lab, link: string): void {
     refusals.push({
       field: "step",
       text,
-      message: words.refusals.noSuchChoice(
-        words.playback.step,
-        STEPS.map((_, k) => String(k + 1)),
+      message: say(words.refusals.noSuchChoice, {
+        label: words.playback.step,
+        ...choiceOf(STEPS.map((_, k) => String(k + 1))),
         text,
-      ),
+      }),
     });
   const known = [...pairs.keys()].some((name) => !["lab", "step", "embed"].includes(name));
   batch(() => {

@@ -2,7 +2,7 @@
 
 import type { PlaybackName } from "./fields";
 import type { Refusal } from "./refusal";
-import { words } from "../words/words";
+import { choiceOf, say, words } from "../words/words";
 
 export const SPEEDS = [1, 0.5, 0.2, 0.1, 0.02, 0.01, 0.001, 0.0001] as const;
 
@@ -66,4 +66,8 @@ const refused = (
   label: string,
   names: readonly string[],
   text: string,
-): Refusal => ({ field, text, message: words.refusals.noSuchChoice(label, names, text) });
+): Refusal => ({
+  field,
+  text,
+  message: say(words.refusals.noSuchChoice, { label, ...choiceOf(names), text }),
+});

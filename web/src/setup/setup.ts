@@ -2,7 +2,7 @@
 
 import { formatExact, withUnit } from "../format/numbers";
 import { NUMBERS, type NumberStyle } from "../words/language";
-import { words } from "../words/words";
+import { choiceOf, say, words } from "../words/words";
 import type { LawName } from "../core/core";
 import { type BodyName, FIELDS, FIELD_NAMES, type FieldName, type NumberField } from "./fields";
 import type { Refusal } from "./refusal";
@@ -53,12 +53,16 @@ export function read(
   const field: (typeof FIELDS)[FieldName] = FIELDS[name];
   if (field.kind === "choice") {
     if (Object.hasOwn(field.choices, text)) return { value: text };
-    const message = words.refusals.noSuchChoice(field.label, Object.values(field.choices), text);
+    const message = say(words.refusals.noSuchChoice, {
+      label: field.label,
+      ...choiceOf(Object.values(field.choices)),
+      text,
+    });
     return { field: name, text, message };
   }
   if (field.kind === "record") {
     if (new RegExp(`^(${field.pattern})$`).test(text)) return { value: text };
-    return { field: name, text, message: words.refusals.noRecord(field.label) };
+    return { field: name, text, message: say(words.refusals.noRecord, { label: field.label }) };
   }
   const bare = withoutUnit(text.trim(), field);
   // Accept a decimal comma and a point, and a minus sign as well as a hyphen.
@@ -85,14 +89,20 @@ function outOfBounds(
 ): string | undefined {
   const { label, unit, min, max, open, whole } = field;
   const { refusals } = words;
-  if (THOUSANDS[decimal].test(text)) return refusals.twoReadings(label, text.trim(), decimal);
-  if (text.trim() === "") return refusals.empty(label);
-  if (Number.isNaN(value)) return refusals.noNumber(label, text);
-  if (whole && !Number.isInteger(value)) return refusals.notWhole(label, text.trim());
+  if (THOUSANDS[decimal].test(text))
+    return say(refusals.twoReadings, {
+      label,
+      text: text.trim(),
+      sign: decimal === "." ? "point" : "comma",
+    });
+  if (text.trim() === "") return say(refusals.empty, { label });
+  if (Number.isNaN(value)) return say(refusals.noNumber, { label, text });
+  if (whole && !Number.isInteger(value))
+    return say(refusals.notWhole, { label, text: text.trim() });
   const inside = open ? value > min && value < max : value >= min && value <= max;
   if (inside) return undefined;
   const [low, high] = [formatExact(min), withUnit(formatExact(max), unit)];
   return open
-    ? refusals.between(label, withUnit(low, unit), high, text.trim())
-    : refusals.fromTo(label, low, high, text.trim());
+    ? say(refusals.between, { label, low: withUnit(low, unit), high, text: text.trim() })
+    : say(refusals.fromTo, { label, low, high, text: text.trim() });
 }

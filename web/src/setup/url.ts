@@ -4,7 +4,7 @@ import { FIELD_NAMES, type FieldName, MOTION_FIELDS, OTHER } from "./fields";
 import { INITIAL_PLAYBACK, type Playback, playbackInLink, playbackFrom } from "./playback";
 import type { Refusal } from "./refusal";
 import { BY_HAND, INITIAL, type Setup, read } from "./setup";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** The content of a link. */
 export interface Linked {
@@ -62,7 +62,7 @@ export function fromHash(hash: string): Linked {
   const compares = [...link.keys()].some((name) => name.startsWith(OTHER));
   const other = compares
     ? setupFrom(link, OTHER, MOTION_FIELDS, ({ text, message }) =>
-        refusals.push({ field: "with", text, message: words.compare.inLink(message) }),
+        refusals.push({ field: "with", text, message: say(words.compare.inLink, { message }) }),
       )
     : undefined;
   return { setup, playback, other, refusals };

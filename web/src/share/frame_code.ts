@@ -1,7 +1,7 @@
 // The HTML with which a teacher puts the page into a lesson's pages or slides.
 
 import { button, element } from "../elements";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 import { copyText } from "./copy";
 import { frameCode } from "./share_link";
 
@@ -18,7 +18,7 @@ export function frameField(id: string, title: string, hash: () => string): HTMLE
       said.textContent = done ? share.copiedFrame : share.select;
     });
   });
-  const help = element("p", { class: "help" }, share.frameHelp(code().isLocal));
+  const help = element("p", { class: "help" }, say(share.frameHelp, { isLocal: code().isLocal }));
   const details = element(
     "details",
     { class: "frame-code" },

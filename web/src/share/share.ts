@@ -10,7 +10,7 @@ import { copyText } from "./copy";
 import { download } from "./download";
 import { frameField } from "./frame_code";
 import { shareLink } from "./share_link";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 export function mountShare(lab: Lab, place: HTMLElement): void {
   const message = element("p", { class: "done", role: "status" });
@@ -20,7 +20,7 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
   const code = element("pre", { id: "share-code", tabindex: 0, "aria-label": share.python });
   const copy = async (text: string, shownIn: HTMLElement, copied: string) => {
     const done = await copyText(text, shownIn);
-    say(message, done ? copied : share.select);
+    announce(message, done ? copied : share.select);
   };
   const copyLink = button(copyLabel, () => void copy(link.value, link, copied));
   const copyCode = button(
@@ -33,7 +33,7 @@ export function mountShare(lab: Lab, place: HTMLElement): void {
       if (!motion) return;
       const name = `rimroll-${lab.setup.value.body}.csv`;
       download(name, toCsv(motion, lab.shaking.value), "text/csv");
-      say(message, share.saved(name));
+      announce(message, say(share.saved, { name }));
     }),
   );
   place.append(
@@ -69,7 +69,7 @@ const pythonOf = (outcome: Outcome) =>
   "refused" in outcome ? `# There is no motion: ${outcome.refused}.\n` : toPython(outcome.input);
 
 /** Shows a message; an emptied place makes screen readers read the same message again. */
-function say(place: HTMLElement, text: string): void {
+function announce(place: HTMLElement, text: string): void {
   place.textContent = "";
   setTimeout(() => (place.textContent = text), 50);
 }

@@ -7,7 +7,7 @@ import { flickSummary } from "../falls/summary";
 import type { Lab } from "../lab";
 import { binsFor } from "./bins";
 import { HEIGHT, WIDTH, humps } from "./humps";
-import { sentences, words } from "../words/words";
+import { say, sentences, words } from "../words/words";
 
 /** The histogram, hidden unless the current step wants it; `wanted` reads signals. */
 export function fallsOf(lab: Lab, wanted: () => boolean): HTMLElement {
@@ -30,10 +30,13 @@ export function fallsOf(lab: Lab, wanted: () => boolean): HTMLElement {
     const { from, to, width } = bins.value;
     picture.setAttribute(
       "aria-label",
-      sentences(words.story.histogram(`${from}°`, `${to}°`, `${width}°`), flickSummary(lab)),
+      sentences(
+        say(words.story.histogram, { from: `${from}°`, to: `${to}°`, width: `${width}°` }),
+        flickSummary(lab),
+      ),
     );
     caption.textContent = sentences(
-      words.story.caption(`${width}°`),
+      say(words.story.caption, { width: `${width}°` }),
       measured ? words.story.measured : "",
     );
   });

@@ -6,7 +6,7 @@ import { MEASURED } from "../falls/paper";
 import type { Tally } from "../falls/tally";
 import { type Bins, type Counts, binned } from "./bins";
 import { formatFixed } from "../format/numbers";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** Size of the picture, with room for labels above, degrees in the middle, and counts. */
 export const [WIDTH, HEIGHT] = [360, 154];
@@ -34,8 +34,8 @@ export function humps({ tally, theory, bins, measured }: Shown): string {
     bars(left, "left", -TALLEST / highest, AXIS - BAND / 2),
     bars(right, "right", TALLEST / highest, AXIS + BAND / 2),
     ...(measured ? [paper(place, "left", TOP + 1), paper(place, "right", BOTTOM - 5)] : []),
-    `<text x="0" y="${TOP + 10}" class="side">${words.story.left(tally.left.count)}</text>`,
-    `<text x="0" y="${BOTTOM - 2}" class="side">${words.story.right(tally.right.count)}</text>`,
+    `<text x="0" y="${TOP + 10}" class="side">${say(words.story.left, { count: tally.left.count })}</text>`,
+    `<text x="0" y="${BOTTOM - 2}" class="side">${say(words.story.right, { count: tally.right.count })}</text>`,
   ].join("");
 }
 

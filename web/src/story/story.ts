@@ -8,7 +8,7 @@ import { fallsOf } from "./falls";
 import { showStep } from "./show_step";
 import { STEPS, type Step } from "./steps";
 import "./story.css";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 export function mountStory(lab: Lab, place: HTMLElement): void {
   const { story } = words;
@@ -33,7 +33,7 @@ export function mountStory(lab: Lab, place: HTMLElement): void {
     const { title, text, formula = "", symbols = "" } = step();
     part(".formula").innerHTML = formula;
     part(".symbols").textContent = symbols;
-    part(".where").textContent = story.where(at.value + 1, STEPS.length);
+    part(".where").textContent = say(story.where, { step: at.value + 1, of: STEPS.length });
     part("h2").textContent = title;
     part(".text").textContent = text;
     // A disabled button would lose the focus after it is pressed.

@@ -14,7 +14,7 @@ import "./transport.css";
 import { soundButton } from "../sound/button";
 import { words } from "../words/words";
 
-const say = words.transport;
+const texts = words.transport;
 
 export function mountTransport(lab: Lab, place: HTMLElement): void {
   const { clock } = lab;
@@ -28,21 +28,21 @@ export function mountTransport(lab: Lab, place: HTMLElement): void {
     ".": unlessHeld(lab, () => clock.step(1)),
     Home: unlessHeld(lab, rewind),
   };
-  const play = button("play", say.play, "Space", () => clock.toggle());
+  const play = button("play", texts.play, "Space", () => clock.toggle());
   const buttons = [
-    button("rewind", say.rewind, "Home", rewind),
-    button("before", say.before, "", () => jump(lab, -1)),
-    button("back", say.back, ",", actions[","]),
+    button("rewind", texts.rewind, "Home", rewind),
+    button("before", texts.before, "", () => jump(lab, -1)),
+    button("back", texts.back, ",", actions[","]),
     play,
-    button("on", say.on, ".", actions["."]),
-    button("after", say.after, "", () => jump(lab, 1)),
+    button("on", texts.on, ".", actions["."]),
+    button("after", texts.after, "", () => jump(lab, 1)),
   ];
   effect(() => {
     const playing = clock.playing.value;
-    const name = playing ? say.pause : say.play;
+    const name = playing ? texts.pause : texts.play;
     play.replaceChildren(icon(playing ? "pause" : "play"));
     play.setAttribute("aria-label", name);
-    play.title = `${name} (${say.space})`;
+    play.title = `${name} (${texts.space})`;
   });
   effect(() => {
     for (const one of buttons) one.disabled = lab.motion.value === undefined;
@@ -55,7 +55,7 @@ export function mountTransport(lab: Lab, place: HTMLElement): void {
       { class: "row" },
       element(
         "div",
-        { class: "buttons", role: "group", "aria-label": say.group },
+        { class: "buttons", role: "group", "aria-label": texts.group },
         ...buttons,
         soundButton(lab),
       ),
@@ -88,7 +88,7 @@ function jump(lab: Lab, way: 1 | -1): void {
 
 function button(name: Icon, label: string, key: string, press: () => void): HTMLButtonElement {
   const shortcut = key === "" ? {} : { "aria-keyshortcuts": key };
-  const title = key === "" ? label : `${label} (${key === "Space" ? say.space : key})`;
+  const title = key === "" ? label : `${label} (${key === "Space" ? texts.space : key})`;
   const made = element("button", { type: "button", "aria-label": label, title, ...shortcut });
   made.append(icon(name));
   made.classList.add(name);
@@ -134,7 +134,7 @@ function stretching(lab: Lab): HTMLElement {
   effect(() => {
     box.checked = lab.clock.stretched.value;
   });
-  return element("label", { title: say.stretching }, box, ` ${words.playback.slow}`);
+  return element("label", { title: texts.stretching }, box, ` ${words.playback.slow}`);
 }
 
 /** The list of keys, and a switch that turns them off. */
@@ -149,15 +149,15 @@ function keys(): HTMLElement {
   return element(
     "details",
     { class: "keys" },
-    element("summary", {}, say.keys),
+    element("summary", {}, texts.keys),
     element(
       "ul",
       {},
-      key(say.space, say.keyPlay),
-      key(",", say.keyBack),
-      key(".", say.keyOn),
-      key("Home", say.keyHome),
+      key(texts.space, texts.keyPlay),
+      key(",", texts.keyBack),
+      key(".", texts.keyOn),
+      key("Home", texts.keyHome),
     ),
-    element("label", {}, box, ` ${say.keysOn}`),
+    element("label", {}, box, ` ${texts.keysOn}`),
   );
 }

@@ -7,7 +7,7 @@ import { formatDuration } from "../format/times";
 import type { Setup } from "../setup/setup";
 import type { Content } from "./content";
 import { beside, comparison } from "./words";
-import { sentences, words } from "../words/words";
+import { say, sentences, words } from "../words/words";
 
 export function contentInHand(preview: Preview, setup: Readonly<Setup>): Content {
   const { lean, theory } = preview;
@@ -26,7 +26,7 @@ export function contentInHand(preview: Preview, setup: Readonly<Setup>): Content
       note: verdict.ifLetGo,
     },
     itself: {
-      name: verdict.itself(setup.body),
+      name: say(verdict.itself, { ...words.nouns[setup.body] }),
       number: "–",
       note: verdict.whenLetGo,
     },
@@ -41,9 +41,9 @@ export function contentInHand(preview: Preview, setup: Readonly<Setup>): Content
         turn === undefined ? "–" : `${formatWide(((fall?.minTilt ?? 0) * 180) / Math.PI, 2)}°`,
       note: verdict.ifLetGo,
     },
-    then: { name: verdict.inHand, number: tilt, note: verdict.leansToward(way) },
+    then: { name: verdict.inHand, number: tilt, note: say(verdict.leansToward, { way }) },
     said: sentences(
-      verdict.leansInHand(tilt, way),
+      say(verdict.leansInHand, { tilt, way }),
       result,
       fall && turn !== undefined ? beside(fall.turn) : "",
     ),
@@ -61,14 +61,14 @@ function resultOf({ outcome, turn, time }: Readonly<Fall>): string {
   switch (outcome) {
     case "rocked":
     case "toppled":
-      return wouldBe[outcome](angle, after);
+      return say(wouldBe[outcome], { angle, after });
     case "hovered":
     case "fell_back":
     case "face_down":
     case "at_rest":
     case "lifted_off":
     case "painleve":
-      return wouldBe[outcome](after);
+      return say(wouldBe[outcome], { after });
     default:
       return wouldBe.failed;
   }

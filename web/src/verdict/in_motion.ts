@@ -7,7 +7,7 @@ import type { Passage } from "./passage";
 import { gapOf, speedOf } from "./size";
 import type { Content } from "./content";
 import { comparison, ending, inThisTurn, story, wordsOfCore } from "./words";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
 
 /** Endings that need an explanation. */
 const ABNORMAL: readonly string[] = ["face_down", "painleve", "failed", "lifted_off"];
@@ -36,7 +36,7 @@ function contentAtRest(lab: Lab, passage: Passage | undefined): Content {
     // The numbers of these two tiles change with every frame; see verdict.ts.
     turned: { name: words.verdict.turned, number: "", note: inThisTurn(passage, motion) },
     itself: {
-      name: words.verdict.itself(setup.body),
+      name: say(words.verdict.itself, { ...words.nouns[setup.body] }),
       number: "",
       note: words.verdict.meanwhile,
     },
@@ -48,14 +48,14 @@ function contentAtRest(lab: Lab, passage: Passage | undefined): Content {
     lowest: {
       name: words.verdict.smallestTilt,
       number: passage ? `${formatWide((passage.minTilt * 180) / Math.PI, 2)}°` : "–",
-      note: passage && radius ? words.verdict.gap(gapOf(passage, radius)) : "",
+      note: passage && radius ? say(words.verdict.gap, { gap: gapOf(passage, radius) }) : "",
     },
     then: {
       name: words.verdict.contactThen,
       number: rounds === undefined ? "–" : formatWide(rounds, 3),
       note:
         passage && radius
-          ? words.verdict.perSecondAt(speedOf(passage, radius))
+          ? say(words.verdict.perSecondAt, { speed: speedOf(passage, radius) })
           : words.verdict.perSecond,
     },
     said: story(passage, motion, setup),

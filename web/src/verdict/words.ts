@@ -7,7 +7,7 @@ import { formatDegrees, formatFixed, formatNumber } from "../format/numbers";
 import { formatDuration } from "../format/times";
 import type { Setup } from "../setup/setup";
 import type { Passage } from "./passage";
-import { sentences, words } from "../words/words";
+import { say, sentences, words } from "../words/words";
 
 /** Describes a passage: from when to when the angle is counted, how far the contact point runs, and how
  * far the body itself turns. */
@@ -19,13 +19,14 @@ export function story(
   if (!passage) return "";
   const { start, end, complete, angle, bodyAngle, validity, rim } = passage;
   const itself = formatDegrees(Math.abs(bodyAngle), 1);
-  const turned = words.verdict.story({
-    start: start === 0 ? undefined : formatDuration(start),
+  const turned = say(words.verdict.story, {
+    begins: start === 0 ? "release" : "maximum",
+    start: formatDuration(start),
     end: formatDuration(end),
     endsWith: complete ? "maximum" : motion?.status === "toppled" ? "fall" : "end",
     angle: formatDegrees(Math.abs(angle), 1),
     time: formatDuration(validity.passageTime),
-    body: setup.body,
+    ...words.nouns[setup.body],
     itself,
     way: itself === formatDegrees(0, 1) ? "none" : bodyAngle > 0 === angle > 0 ? "same" : "other",
   });
@@ -36,22 +37,23 @@ export function story(
 export function beside(angle: number): string {
   const size = Math.abs(angle);
   const veer = size - Math.PI;
-  if (size > 2 * Math.PI) return words.verdict.fullTurn(formatDegrees(size - 2 * Math.PI, 1));
+  if (size > 2 * Math.PI)
+    return say(words.verdict.fullTurn, { rest: formatDegrees(size - 2 * Math.PI, 1) });
   if (Math.abs(veer) > Math.PI / 2) return "";
-  return words.verdict.veers(
-    formatDegrees(Math.abs(veer), 1),
-    veer > 0 === angle > 0 ? "left" : "right",
-  );
+  return say(words.verdict.veers, {
+    angle: formatDegrees(Math.abs(veer), 1),
+    side: veer > 0 === angle > 0 ? "left" : "right",
+  });
 }
 
 /** The angle of the complete turn that is shown, or the reason why there is none. */
 export function inThisTurn(passage: Passage | undefined, motion: Motion | undefined): string {
   const { verdict } = words;
   if (passage)
-    return verdict.ofAngle(
-      formatDegrees(Math.abs(passage.angle), 2),
-      passage.complete ? "turn" : motion?.status === "toppled" ? "fall" : "end",
-    );
+    return say(verdict.ofAngle, {
+      angle: formatDegrees(Math.abs(passage.angle), 2),
+      until: passage.complete ? "turn" : motion?.status === "toppled" ? "fall" : "end",
+    });
   if (motion?.status === "face_down") return verdict.comesDownFlat;
   return motion?.turns.length ? verdict.incomplete : verdict.staysUp;
 }
@@ -68,7 +70,9 @@ export function comparison(
   const flat = minTilt !== undefined && minTilt > FLAT;
   const untwisted = setup.twist !== 0;
   const text = turn === undefined ? words.verdict.limitHere : difference(theory.here, turn);
-  return flat || untwisted ? words.verdict.holds(text, flat, untwisted) : text;
+  if (!flat && !untwisted) return text;
+  const condition = flat && untwisted ? "both" : flat ? "flat" : "untwisted";
+  return say(words.verdict.holds, { text, condition });
 }
 
 /** The theory is the limit of small smallest tilts. Above this tilt, rad, it is only rough. */
@@ -80,33 +84,37 @@ function difference(theory: number, computed: number): string {
   const size = Math.abs(hundredths(computed) - hundredths(theory));
   if (size === 0) return words.verdict.asComputed;
   const angle = `${formatFixed(size / 100, 2)}°`;
-  return computed > theory ? words.verdict.below(angle) : words.verdict.above(angle);
+  return computed > theory
+    ? say(words.verdict.below, { angle })
+    : say(words.verdict.above, { angle });
 }
 
 /** How the motion ends, or why there is none. */
 export function ending(outcome: Outcome, setup: Readonly<Setup>): string {
   const { verdict } = words;
-  if ("refused" in outcome) return verdict.noMotion(outcome.refused);
+  if ("refused" in outcome) return say(verdict.noMotion, { why: outcome.refused });
   const { motion, theory, partial } = outcome;
   const after = formatDuration(motion.end);
-  if (partial) return verdict.stillComputing(after);
+  if (partial) return say(verdict.stillComputing, { after });
   switch (motion.status) {
     case "finished":
-      return verdict.stillMoves(`${formatNumber(motion.end, 3)} s`);
+      return say(verdict.stillMoves, { after: `${formatNumber(motion.end, 3)} s` });
     case "toppled":
-      return cameDown(motion) ? verdict.fallsOver(after) : verdict.fallsBack(after);
+      return cameDown(motion)
+        ? say(verdict.fallsOver, { after })
+        : say(verdict.fallsBack, { after });
     case "lifted_off":
-      return verdict.liftsOff(motion.end === 0 ? undefined : after);
+      return say(verdict.liftsOff, { moment: motion.end === 0 ? "start" : "later", after });
     case "face_down":
       return faceDown(after, setup);
     case "at_rest":
-      return verdict.comesToRest(after);
+      return say(verdict.comesToRest, { after });
     case "painleve":
-      return verdict.painleve(after, formatNumber(theory.painleveFriction, 3));
+      return say(verdict.painleve, { after, friction: formatNumber(theory.painleveFriction, 3) });
     default:
       return motion.ranOutOfSteps
-        ? verdict.tooManySteps(after)
-        : verdict.cannotContinue(after, motion.message);
+        ? say(verdict.tooManySteps, { after })
+        : say(verdict.cannotContinue, { after, why: motion.message });
   }
 }
 
@@ -119,14 +127,17 @@ export function wordsOfCore(outcome: Outcome): string {
 /** Whether a reason is one of the page and not of the core. */
 function isOwn(reason: string): boolean {
   const { floor, verdict } = words;
-  const [failed = ""] = verdict.computationFailed("\n").split("\n");
+  const [failed = ""] = say(verdict.computationFailed, { why: "\n" }).split("\n");
   return [floor.isLoading, floor.isMissing].includes(reason) || reason.startsWith(failed);
 }
 
 function faceDown(after: string, { sideways, twist, rolling }: Readonly<Setup>): string {
   const { verdict } = words;
-  if (sideways === 0 && twist === 0) return verdict.faceDownStraight(after, "10⁻¹² rad/s");
-  return rolling > 0 ? verdict.faceDownResisted(after) : verdict.faceDownShort(after);
+  if (sideways === 0 && twist === 0)
+    return say(verdict.faceDownStraight, { after, least: "10⁻¹² rad/s" });
+  return rolling > 0
+    ? say(verdict.faceDownResisted, { after })
+    : say(verdict.faceDownShort, { after });
 }
 
 const cameDown = (motion: Motion) => motion.events.some(({ kind }) => kind === "tilt_min");

@@ -2,12 +2,12 @@
 // has tables_alone.ts in place of this file.
 
 import type { Language } from "./language";
-import type { Table } from "./words";
+import type { Words } from "./words";
 
-export const TABLES: Record<Exclude<Language, "en">, () => Promise<Table>> = {
-  de: () => import("./de").then(({ de }) => de),
-  es: () => import("./es").then(({ es }) => es),
-  fr: () => import("./fr").then(({ fr }) => fr),
-  pt: () => import("./pt").then(({ pt }) => pt),
-  zh: () => import("./zh").then(({ zh }) => zh),
+export const TABLES: Record<Exclude<Language, "en">, () => Promise<Words>> = {
+  de: () => import("./de.json").then((de) => de.default),
+  es: () => import("./es.json").then((es) => es.default),
+  fr: () => import("./fr.json").then((fr) => fr.default),
+  pt: () => import("./pt.json").then((pt) => pt.default),
+  zh: () => import("./zh.json").then((zh) => zh.default),
 };

@@ -1,12 +1,12 @@
 // All tables, for the page in one script. A table that is imported only when it is asked for would stand behind
 // the modules that wait for it.
 
-import { de } from "./de";
-import { es } from "./es";
-import { fr } from "./fr";
+import de from "./de.json";
+import es from "./es.json";
+import fr from "./fr.json";
 import type { TABLES as LOADED } from "./tables";
-import { pt } from "./pt";
-import { zh } from "./zh";
+import pt from "./pt.json";
+import zh from "./zh.json";
 
 export const TABLES: typeof LOADED = {
   de: async () => de,

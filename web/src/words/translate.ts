@@ -1,14 +1,14 @@
 // Writes the texts of index.html in the visitor's language, and shows the page, which index.html hides until then.
 
 import { words, prose } from "./words";
-import type { Prose } from "./prose";
 
 export function translatePage(): void {
   if (prose) {
+    const textOf = (name = "") => prose?.[name as keyof typeof prose] ?? "";
     for (const place of document.querySelectorAll<HTMLElement>("[data-words]"))
-      place.replaceChildren(...filled(prose[place.dataset["words"] as keyof Prose], place));
+      place.replaceChildren(...filled(textOf(place.dataset["words"]), place));
     for (const place of document.querySelectorAll<HTMLElement>("[data-label]"))
-      place.setAttribute("aria-label", prose[place.dataset["label"] as keyof Prose]);
+      place.setAttribute("aria-label", textOf(place.dataset["label"]));
     for (const place of document.querySelectorAll(".loading")) place.textContent = words.loading;
   }
   document.documentElement.removeAttribute("data-translating");

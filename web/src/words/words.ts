@@ -1,26 +1,26 @@
-// The words of the page in the visitor's language. Modules can use them at any time, because they wait for this
-// one. A table therefore imports types only: a module of the page in it would wait for the table.
+// The words of the page in the visitor's language, from a table of messages: en.json, de.json and so on. Modules can use
+// them at any time, because they wait for this one.
 
-import { en } from "./en";
+import format, { type FormatValues } from "icu-minify/format";
+import en from "./en.json";
 import { LANGUAGE, type Language } from "./language";
-import type { Prose } from "./prose";
 import { TABLES } from "./tables";
 
-/** All words that the page's scripts say, in one language. */
-export type Words = typeof en;
-
-/** The table of another language, with the texts that index.html has in English. */
-export type Table = Words & { prose: Prose };
+/** All words that the page says, in one language. Messages with places for values are said by {@link say}. */
+export type Words = Omit<typeof en, "nouns"> & {
+  /** Forms of the noun of each body, as its sentences need them: the language's own, by their names. */
+  nouns: Readonly<Record<keyof (typeof en)["nouns"], Readonly<Record<string, string>>>>;
+};
 
 const table = LANGUAGE === "en" ? undefined : await tableOf(LANGUAGE);
 
 export const words: Words = table ?? en;
 
-/** The texts of index.html; undefined in English. */
-export const prose: Prose | undefined = table?.prose;
+/** The texts of index.html; undefined in English, which the file itself has. */
+export const prose: Words["prose"] | undefined = table?.prose;
 
 /** The page is in English if the table of another language cannot be loaded. */
-async function tableOf(language: Exclude<Language, "en">): Promise<Table | undefined> {
+async function tableOf(language: Exclude<Language, "en">): Promise<Words | undefined> {
   try {
     return await TABLES[language]();
   } catch (error) {
@@ -29,6 +29,29 @@ async function tableOf(language: Exclude<Language, "en">): Promise<Table | undef
     return undefined;
   }
 }
+
+const FORMATTERS = {
+  getDateTimeFormat: (...asked: ConstructorParameters<typeof Intl.DateTimeFormat>) =>
+    new Intl.DateTimeFormat(...asked),
+  getNumberFormat: (...asked: ConstructorParameters<typeof Intl.NumberFormat>) =>
+    new Intl.NumberFormat(...asked),
+  getPluralRules: (...asked: ConstructorParameters<typeof Intl.PluralRules>) =>
+    new Intl.PluralRules(...asked),
+};
+
+/** A message of a language with values in its places. The build has parsed it: see web/messages.ts. */
+export const sayIn = (language: Language, message: string, values: FormatValues): string =>
+  String(format(message, language, values, { formatters: FORMATTERS }));
+
+/** A message with values in its places. Numbers among them choose plurals; all others are texts with their units. */
+export const say = (message: string, values: FormatValues): string =>
+  sayIn(table ? LANGUAGE : "en", message, values);
+
+/** Several names, of which the visitor chooses one, as values of a message. */
+export const choiceOf = (names: readonly string[]): { names: string; last: string } => ({
+  names: names.slice(0, -1).join(words.refusals.separator),
+  last: names.at(-1) ?? "",
+});
 
 /** Joins sentences, leaving out empty ones. */
 export const sentences = (...parts: readonly string[]): string =>

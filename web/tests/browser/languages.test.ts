@@ -3,14 +3,15 @@
 import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { en } from "../../src/words/en";
 import { LANGUAGES } from "../../src/words/language";
-import { TABLES } from "../../src/words/tables";
 import { first } from "../given/soak";
+import { TABLES } from "../given/tables";
 import { violations } from "./axe";
 import { addressOfPage, browserForAll, elsewhere, emptyPage, visit } from "./visit";
 
 browserForAll();
+
+const { en } = TABLES;
 
 /** The one with the longest words, and the one with other letters, come first. */
 const OTHERS = ["de", "zh", "es", "fr", "pt"] as const;
@@ -35,7 +36,7 @@ test("each language is among these", () => {
 test.each(first(2, OTHERS))(
   "%s: the essay and the lab are in the visitor's language",
   async (language) => {
-    const table = await TABLES[language]();
+    const table = TABLES[language];
     for (const [hash, said] of [
       ["", table.prose["question.text"]],
       ["lab", table.controls.title],

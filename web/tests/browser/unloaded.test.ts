@@ -4,10 +4,9 @@ import { pathToFileURL } from "node:url";
 import { join } from "node:path";
 import type { Frame, Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
-import { UNLOADED } from "../../src/words/unloaded";
-import { LANGUAGES } from "../../src/words/language";
 import { PAGE } from "../given/server";
 import { first } from "../given/soak";
+import { TABLES } from "../given/tables";
 import { addressOfPage, browserForAll, emptyPage } from "./visit";
 
 browserForAll();
@@ -27,7 +26,7 @@ const shown = (text: string) => text.replaceAll("`", "");
 describe.each(first(3, ["de", "zh", "en", "es", "fr", "pt"] as const))(
   "in the language %s",
   (lang) => {
-    const words = UNLOADED[lang];
+    const words = TABLES[lang].unloaded;
     const about = async (page: Page, text: string) => {
       await said(page).getByText(shown(text), { exact: true }).waitFor();
       expect(await said(page).locator("[lang]").getAttribute("lang")).toBe(lang);
@@ -58,20 +57,6 @@ describe.each(first(3, ["de", "zh", "en", "es", "fr", "pt"] as const))(
     });
   },
 );
-
-test("the words are there in all languages", () => {
-  expect(Object.keys(UNLOADED).sort()).toEqual([...LANGUAGES].sort());
-  for (const words of Object.values(UNLOADED)) {
-    expect(Object.keys(words)).toEqual(Object.keys(UNLOADED.en));
-    for (const [name, text] of Object.entries(words)) {
-      const english = UNLOADED.en[name as keyof typeof words];
-      // Commands, addresses and what stands for others are the same in all languages.
-      const fixed = (text: string) => [...text.matchAll(/`[^`]*`|\{\d\}|\d{4}/g)].map(([it]) => it);
-      expect(fixed(text).sort(), text).toEqual(fixed(english).sort());
-      if (words !== UNLOADED.en) expect(text).not.toBe(english);
-    }
-  }
-});
 
 test("in a sandboxed frame", async () => {
   const page = await emptyPage();
