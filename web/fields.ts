@@ -3,11 +3,11 @@
 
 import type { Plugin } from "vite";
 import {
+  type ChoiceField,
   FIELDS,
   MOTION_FIELDS,
-  OTHER,
-  type ChoiceField,
   type NumberField,
+  OTHER,
   type RecordField,
 } from "./src/setup/fields";
 import { SPEEDS, VIEWS } from "./src/setup/playback";

@@ -6,7 +6,7 @@ import { join } from "node:path";
 import compile from "icu-minify/compile";
 import type { Plugin } from "vite";
 import { LANGUAGES } from "./src/words/language";
-import type { Words } from "./src/words/words";
+import type { Words } from "./src/words/tables";
 
 const FOLDER = join(import.meta.dirname, "src/words");
 

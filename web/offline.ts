@@ -5,7 +5,7 @@ import { serwist } from "@serwist/vite";
 /** `folder` is where the page is built; `file` is the service worker in it. */
 export const offline = (folder: string, file: string) =>
   serwist({
-    swSrc: "src/offline/service_worker.ts",
+    swSrc: "src/service_worker.ts",
     swDest: file,
     swUrl: `./${file}`,
     base: "./",

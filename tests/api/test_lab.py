@@ -95,7 +95,7 @@ def test_a_law_that_the_lab_does_not_have_is_refused(law, reason):
 
 
 def read_as_the_page(given):
-    """The ground of a set-up, as web/src/floor/pulse.ts reads it."""
+    """The ground of a set-up, as web/src/floor/ground.ts reads it."""
     number = {name: float(given[name]) for name in ("shake", "direction", "vertical", "period")}
     angle = np.radians(number["direction"])
     x, y = number["shake"] * np.cos(angle), number["shake"] * np.sin(angle)

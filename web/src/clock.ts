@@ -2,7 +2,7 @@
 // automatically while the contact point races: a schedule maps the visitor's time to the motion's time
 // and limits how fast the contact point runs on the screen. Two motions that are compared share one schedule.
 
-import { type ReadonlySignal, type Signal, computed, signal } from "@preact/signals-core";
+import { computed, type ReadonlySignal, type Signal, signal } from "@preact/signals-core";
 import type { Motion } from "./core/motion";
 import { INITIAL_PLAYBACK } from "./setup/playback";
 

@@ -1,17 +1,16 @@
 // The state of the page: the set-up, the motion computed from it, and the time at which it is shown.
 // Every part of the page reads these signals, so that a change of the set-up updates all of them.
 
-import { type ReadonlySignal, type Signal, batch, computed, signal } from "@preact/signals-core";
+import { batch, computed, type ReadonlySignal, type Signal, signal } from "@preact/signals-core";
 import { Clock } from "./clock";
 import type { Core, Theory } from "./core/core";
-import { type Moment, type Motion, type Turn, headingOf } from "./core/motion";
+import { headingOf, type Moment, type Motion, type Turn } from "./core/motion";
 import type { Displacement, Shaker, Shaking } from "./floor/shaking";
-import { type Flick, flicksOf } from "./falls/flicks";
-import { sliced } from "./falls/sliced";
-import { type Preview, previewOf } from "./falls/preview";
+import { type Flick, flicksOf, type Preview, previewOf } from "./falls/flicks";
+import { sliced } from "./timing";
 import type { Held } from "./setup/release";
 import { INITIAL_PLAYBACK, type Playback, type ViewName } from "./setup/playback";
-import type { Refusal } from "./setup/refusal";
+import type { Refusal } from "./setup/fields";
 import { INITIAL, type Setup } from "./setup/setup";
 import { type Outcome, Simulation, withoutFlicks } from "./simulation";
 import { words } from "./words/words";

@@ -1,23 +1,41 @@
 // Starts the page: loads the core, and shows the essay or the lab, as the address says.
 
-import { followAnchors } from "./anchors";
+import { followAnchors, type Part, partOf, shownPart, showPart } from "./part";
 import { Core } from "./core/core";
 import { element } from "./elements";
 import { Essay } from "./essay/essay";
 import type { Lab } from "./lab";
-import { type Part, partOf, showPart, shownPart } from "./part";
-import { keepForOffline } from "./offline/register";
 // The styles of the lab's parts come before those of the page, which are stronger, for example on paper.
 import "./compare/compare.css";
 import "./style/embed.css";
-import "./flicks/flicks.css";
+import "./falls/flicks.css";
 import "./gyro/gyro.css";
 import "./limits/limits.css";
 import "./story/story.css";
 import "./style/page.css";
-import { mountLanguages } from "./words/choice";
-import { translatePage } from "./words/translate";
+import { mountLanguages, translatePage } from "./words/page";
 import { say, words } from "./words/words";
+
+// Lets a published page open without a network after the first visit.
+
+/** The file that vite.config.ts builds from service_worker.ts. */
+const SCRIPT = "./offline.js";
+
+/** A server on this machine may serve another page at the same address tomorrow. */
+const isLocal = (host: string) => host === "localhost" || /^127\.|^\[::1\]$/.test(host);
+
+/** Registers the service worker of a published page, once the page has loaded. Visitors who save data are spared the
+ * parts that they may never use. */
+function keepForOffline(): void {
+  const { connection, serviceWorker } = navigator as Navigator & {
+    connection?: { saveData?: boolean };
+  };
+  // Undefined where the page has no secure address.
+  if (!serviceWorker || isLocal(location.hostname) || connection?.saveData) return;
+  const register = () => void serviceWorker.register(SCRIPT).catch(console.error);
+  if (document.readyState === "complete") register();
+  else addEventListener("load", register, { once: true });
+}
 
 const section = (id: string) => document.getElementById(id) as HTMLElement;
 

@@ -1,15 +1,13 @@
 // The motion that is computed from a set-up: its first steps at once, the others a little later in a worker.
 
-import { type ReadonlySignal, computed, effect } from "@preact/signals-core";
-import { Completion } from "./completion";
+import { computed, effect, type ReadonlySignal, type Signal, signal } from "@preact/signals-core";
 import type { Computation } from "./core/computation";
 import type { Core, Theory } from "./core/core";
 import type { Motion } from "./core/motion";
-import { reasonOrRethrow } from "./core/reason";
+import { reasonOrRethrow, type SimulationInput, simulationInput } from "./setup/simulation_input";
 import type { Shaker, Shaking } from "./floor/shaking";
 import { FLICK_FIELDS } from "./setup/fields";
 import type { Setup } from "./setup/setup";
-import { type SimulationInput, simulationInput } from "./setup/simulation_input";
 
 /** The result for a set-up: a motion, or the reason why there is none. */
 export type Outcome = Simulated | { refused: string };
@@ -131,4 +129,67 @@ function computationOf(core: Core, input: SimulationInput, limit: number): Compu
   const limited = { ...input, options: { ...input.options, maxSteps } };
   if (input.shaking) return input.shaking.simulation(limited);
   return core.simulation(limited.body, limited.start, limited.contactLaw, limited.options);
+}
+
+// The complete motion, where only the first steps have been computed at once. A worker computes it; without workers it is
+// computed here after a pause, and the page waits meanwhile.
+
+/** The complete motion is computed after this time without a change of the set-up, ms. */
+const DELAY = 250;
+
+export class Completion {
+  private readonly found: Signal<Motion | undefined> = signal(undefined);
+  /** The complete motion; undefined until it has been computed. */
+  readonly motion: ReadonlySignal<Motion | undefined> = this.found;
+  private readonly stop = new AbortController();
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private begun = false;
+  private waiting: (() => void) | undefined;
+
+  constructor(private readonly computation: Computation) {}
+
+  beginSoon(): void {
+    this.timer = setTimeout(() => this.begin(), DELAY);
+  }
+
+  /** Ends the computation, because the motion is not wanted any more. */
+  cancel(): void {
+    clearTimeout(this.timer);
+    this.stop.abort();
+    this.waiting = undefined;
+  }
+
+  /** Computes the motion at once. */
+  now(): void {
+    if (!this.found.peek()) this.become(this.computation.now());
+  }
+
+  /** Does something as soon as the motion has been computed. */
+  when(then: () => void): void {
+    if (this.found.peek()) return then();
+    this.waiting = then;
+    this.begin();
+  }
+
+  private begin(): void {
+    if (this.begun) return;
+    this.begun = true;
+    clearTimeout(this.timer);
+    const { signal } = this.stop;
+    void this.computation
+      .inWorker(signal)
+      .catch(console.error)
+      .then((motion) => {
+        if (signal.aborted) return;
+        if (motion) this.become(motion);
+        else this.now();
+      });
+  }
+
+  private become(motion: Motion): void {
+    const { waiting } = this;
+    this.cancel();
+    this.found.value = motion;
+    waiting?.();
+  }
 }

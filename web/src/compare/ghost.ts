@@ -14,20 +14,18 @@ import {
   Vector3,
 } from "three";
 import type { Motion } from "../core/motion";
-import { formatDegrees, formatNumber } from "../format/numbers";
+import { formatDegrees, formatNumber } from "../format";
 import type { Lab, TurnProgress } from "../lab";
 import { BODY_FIELDS } from "../setup/fields";
 import type { Setup } from "../setup/setup";
 import { dispose, pictureOf } from "../scene/bodies/bodies";
-import { type Size, sizeOf } from "../scene/bodies/shapes";
+import { reachOf, type Size, sizeOf } from "../scene/bodies/shapes";
 import type { Labels } from "../scene/labels";
 import type { Palette } from "../scene/palette";
-import { type Footing, type Rim, footingOf, poseOf, setPose, standingSpot } from "../scene/pose";
+import { type Footing, footingOf, poseOf, type Rim, setPose, standingSpot } from "../scene/pose";
 import { PIXEL, Ribbon, type Stroke } from "../scene/ribbon";
 import { Shade } from "../scene/shade";
 import { say, words } from "../words/words";
-import { type Dash, dashesAlong, dashesUntil } from "./dashes";
-import { type Layout, isBeside, layoutOf } from "./layout";
 
 /** Opacity of a ghost, and the part of its colour that is not the body's own. */
 const [OPACITY, TINT] = [0.42, 0.45];
@@ -251,3 +249,87 @@ function makeGhostly(body: Group, tint: Color): void {
 
 const scale = new Matrix4();
 const scaling = (factor: number) => scale.makeScale(factor, factor, factor);
+
+// Where the second body is drawn.
+
+/** Bodies whose sizes differ by more than this factor stand side by side: the smaller one would vanish inside the
+ * larger one. */
+const ALIKE = 1.5;
+/** Distance between bodies side by side, in radii of the circle of degrees; the two circles do not meet. */
+const APART = 2.3;
+/** To the right in the initial view. */
+const RIGHT = [0.978, 0.209] as const;
+
+export interface Layout {
+  /** Place of B on the table, in radii of the circle of degrees of A. */
+  offset: { x: number; y: number };
+  /** Length that is drawn as long as the radius of the circle of degrees, m. */
+  reach: number;
+  /** How many times larger than A it is drawn. */
+  times: number;
+}
+
+/** A ghost at the place of A and to its scale if the bodies are about as large, else beside it and as large. */
+export function layoutOf(a: Size, b: Size): Layout {
+  const [mine, other] = [reachOf(a), reachOf(b)];
+  const ratio = mine / other;
+  if (Math.max(ratio, 1 / ratio) <= ALIKE) return { offset: { x: 0, y: 0 }, reach: mine, times: 1 };
+  return { offset: { x: APART * RIGHT[0], y: APART * RIGHT[1] }, reach: other, times: ratio };
+}
+
+export const isBeside = ({ offset }: Layout): boolean => offset.x !== 0 || offset.y !== 0;
+
+// A path as dashes of equal length, each with the times of its ends.
+
+export interface Dash {
+  from: readonly [x: number, y: number];
+  to: readonly [x: number, y: number];
+  start: number;
+  end: number;
+}
+
+/** Dashes along a path through points at increasing times. They are `length` long with gaps as long between them, or
+ * longer if there would be more than `most`. */
+export function dashesAlong(
+  t: ArrayLike<number>,
+  x: ArrayLike<number>,
+  y: ArrayLike<number>,
+  length: number,
+  most: number,
+): Dash[] {
+  const along = new Float64Array(t.length);
+  for (let k = 1; k < t.length; k++)
+    along[k] = along[k - 1]! + Math.hypot(x[k]! - x[k - 1]!, y[k]! - y[k - 1]!);
+  const whole = along[along.length - 1] ?? 0;
+  const step = Math.max(length, whole / (2 * most));
+  if (!(whole > 0) || !(step > 0)) return [];
+  let k = 0;
+  const at = (place: number) => {
+    while (k < along.length - 2 && along[k + 1]! < place) k++;
+    const width = along[k + 1]! - along[k]!;
+    const part = width > 0 ? Math.min((place - along[k]!) / width, 1) : 0;
+    const between = (of: ArrayLike<number>) => of[k]! + part * (of[k + 1]! - of[k]!);
+    return { t: between(t), spot: [between(x), between(y)] as const };
+  };
+  const dashes: Dash[] = [];
+  for (let n = 0; 2 * n * step < whole; n++) {
+    const from = at(2 * n * step);
+    const to = at(Math.min((2 * n + 1) * step, whole));
+    dashes.push({ from: from.spot, to: to.spot, start: from.t, end: to.t });
+  }
+  return dashes;
+}
+
+/** How many dashes have begun at a time, the last one counted by its part. */
+export function dashesUntil(dashes: readonly Dash[], time: number): number {
+  let [low, high] = [0, dashes.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (dashes[middle]!.start <= time) low = middle + 1;
+    else high = middle;
+  }
+  const last = dashes[low - 1];
+  if (!last) return 0;
+  const width = last.end - last.start;
+  return low - 1 + (width > 0 ? Math.min((time - last.start) / width, 1) : 1);
+}

@@ -1,16 +1,13 @@
 // The controls of the set-up: the body, its release and the table.
 
 import { effect } from "@preact/signals-core";
-import { choiceButtons, choiceList } from "../inputs/choice";
+import { choiceButtons, choiceList, type NumberName, numberRow } from "./inputs";
 import { button, element } from "../elements";
-import { SetupForm } from "../inputs/setup_form";
-import { type NumberName, numberRow } from "../inputs/number";
+import { SetupForm } from "./setup_form";
 import type { Lab } from "../lab";
 import { BODY_FIELDS } from "../setup/fields";
-import { floorGroup } from "./floor";
-import { frictionRow, idleUnderIdealLaws } from "./friction";
-import { hintFor } from "./hint";
-import { lossesRow } from "./losses";
+import { floorGroup } from "../floor/loading";
+import { frictionRow, idleUnderIdealLaws, lossesRow } from "./table";
 import { words } from "../words/words";
 
 const RELEASE: NumberName[] = ["tilt", "tilt_rate", "sideways"];
@@ -116,4 +113,20 @@ function otherRefusals(lab: Lab): HTMLElement {
     list.textContent = messages.join(" ");
   });
   return list;
+}
+
+// Shows the help text of the quantity under the pointer or with the focus in one place, because a line
+// under each quantity would leave no room for the table. Screen readers read it as a description.
+
+export function hintFor(place: HTMLElement): HTMLElement {
+  const hint = element("p", { class: "hint", "aria-hidden": "true" });
+  const helpOf = (target: EventTarget | null) =>
+    (target as Element | null)?.closest<HTMLElement>("[data-help]")?.dataset["help"];
+  const say = (event: Event) => {
+    const focused = place.contains(document.activeElement) ? document.activeElement : null;
+    hint.textContent = helpOf(event.target) ?? helpOf(focused) ?? hint.textContent;
+  };
+  for (const kind of ["pointerover", "focusin", "input"]) place.addEventListener(kind, say);
+  hint.textContent = words.controls.hint;
+  return hint;
 }

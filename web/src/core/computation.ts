@@ -1,14 +1,22 @@
 // A motion to be computed: at once, or in a worker while the page answers its visitor.
 
 import { Exchange, nextTask } from "./exchange";
-import { Motion } from "./motion";
-import type { Answer, Question } from "./worker";
+import { type Known, Motion } from "./motion";
 
 /** Which function of the core computes the motion, and its arguments. */
 export interface Call {
   name: "simulate" | "simulate_shaken";
   numbers: readonly number[];
 }
+
+/** What the page asks of the worker. */
+export interface Question {
+  module: WebAssembly.Module;
+  call: Call;
+}
+
+/** What it answers; undefined if the motion could not be computed. */
+export type Answer = { memory: ArrayBuffer; address: number; known: Known } | undefined;
 
 /** Computes a motion and gives its address. Throws `Refused` for invalid input. */
 export function addressOf(exchange: Exchange, { name, numbers }: Call): number {

@@ -54,6 +54,14 @@ export interface Options {
   maxSteps: number;
 }
 
+/** All that determines a motion on a table at rest. */
+export interface Input {
+  body: Body;
+  start: State;
+  contactLaw: ContactLaw;
+  options: Options;
+}
+
 export type Preset =
   "can_2007" | "soda_can" | "beer_bottle" | "coin" | "ring" | "battery" | "euler_disk";
 

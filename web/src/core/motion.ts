@@ -1,7 +1,6 @@
 // A computed motion. It is stored in the core and evaluated on request.
 
 import type { Exchange, Row } from "./exchange";
-import { type Yaws, yawsOf } from "./yaws";
 
 /** Quantities of a moment, in SI units and radians, as listed in rimroll.motion.UNITS. */
 export type Column =
@@ -267,3 +266,83 @@ const rows = (numbers: Float64Array, length: number): number[][] =>
   Array.from({ length: numbers.length / length }, (_, k) =>
     Array.from(numbers.subarray(k * length, (k + 1) * length)),
   );
+
+// The yaw at the solver steps and between them.
+
+/** Times (s) and yaws (rad). */
+export interface Yaws {
+  t: Float64Array;
+  yaw: Float64Array;
+}
+
+/** Each solver step is divided into this many parts, so that the yaw rate hardly changes in one. */
+const PARTS = 4;
+
+/** Yaws at the solver steps and between them, by cubic Hermite interpolation. To request as many moments from the core takes a
+ * hundred times as long. */
+export function yawsOf(steps: Moments): Yaws {
+  const [times, yaws, rates] = [steps.column("t"), steps.column("yaw"), steps.column("yaw_rate")];
+  const length = PARTS * (times.length - 1) + 1;
+  const [t, yaw] = [new Float64Array(length), new Float64Array(length)];
+  t[0] = at(times, 0);
+  yaw[0] = at(yaws, 0);
+  for (let k = 1, n = 1; k < times.length; k++) {
+    const [from, to] = [at(times, k - 1), at(times, k)];
+    const [start, rise] = [at(yaws, k - 1), at(yaws, k) - at(yaws, k - 1)];
+    const [first, last] = [at(rates, k - 1) * (to - from), at(rates, k) * (to - from)];
+    for (let part = 1; part < PARTS; part++, n++) {
+      const s = part / PARTS;
+      t[n] = from + s * (to - from);
+      yaw[n] =
+        start + s * (first + s * (3 * rise - 2 * first - last + s * (first + last - 2 * rise)));
+    }
+    t[n] = to;
+    yaw[n++] = at(yaws, k);
+  }
+  return { t, yaw };
+}
+
+const at = (array: Float64Array, index: number) => array[index] as number;
+
+// The collisions and near-collisions of a motion.
+
+export interface Collision {
+  /** s */
+  t: number;
+  /** Approximate duration, s: the time of half a revolution at the yaw rate of its middle. */
+  duration: number;
+}
+
+// Events at which the base comes near the table or meets it.
+const COLLISIONS = new Set(["tilt_min", "land", "face_down", "topple"]);
+
+/** The collisions in the order of time. */
+export function collisionsOf(motion: Motion): Collision[] {
+  return motion.events
+    .filter((event) => COLLISIONS.has(event.kind))
+    .map(({ moment: { t, yaw_rate } }) => ({
+      t,
+      duration: Math.min(Math.PI / Math.abs(yaw_rate), motion.end / 10),
+    }));
+}
+
+/** Index of the collision nearest to a time (s), or -1 if there is none. */
+export function nearest(collisions: readonly Collision[], time: number): number {
+  const distance = (index: number) => Math.abs((collisions[index]?.t ?? Infinity) - time);
+  let best = collisions.length - 1;
+  for (let k = best; k-- > 0;) if (distance(k) <= distance(best)) best = k;
+  return best;
+}
+
+// Searches in increasing numbers.
+
+/** How many of increasing numbers are below a bound. */
+export function countBelow(rising: ArrayLike<number>, bound: number): number {
+  let [low, high] = [0, rising.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((rising[middle] as number) < bound) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}

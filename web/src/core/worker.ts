@@ -1,17 +1,9 @@
 // The worker that computes one long motion. It sends the whole memory of its core, in which the motion is, because a page
 // can give this memory to another instance of the same core. It also sends what the page needs of all steps.
 
-import { type Call, addressOf } from "./computation";
+import { type Answer, type Question, addressOf } from "./computation";
 import { Exchange } from "./exchange";
-import { type Known, Motion } from "./motion";
-
-export interface Question {
-  module: WebAssembly.Module;
-  call: Call;
-}
-
-/** Undefined if the motion could not be computed. */
-export type Answer = { memory: ArrayBuffer; address: number; known: Known } | undefined;
+import { Motion } from "./motion";
 
 async function answer({ module, call }: Question): Promise<void> {
   const exchange = await Exchange.of(module);

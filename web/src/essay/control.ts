@@ -1,6 +1,6 @@
 // The one control of a scene.
 
-import { element, button } from "../elements";
+import { button, element } from "../elements";
 import type { Setup } from "../setup/setup";
 import type { Choice, Quantity } from "./scenes";
 

@@ -4,7 +4,7 @@ import type { Core, Theory } from "../core/core";
 import { svgElement } from "../elements";
 import { simulationInput } from "../setup/simulation_input";
 import { INITIAL, type Setup } from "../setup/setup";
-import { formatFixed } from "../format/numbers";
+import { formatFixed } from "../format";
 import { say, words } from "../words/words";
 
 export interface Line {

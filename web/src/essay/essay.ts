@@ -4,12 +4,11 @@ import { effect } from "@preact/signals-core";
 import type { Core } from "../core/core";
 import { Lab } from "../lab";
 import { sceneAlone } from "../part";
-import { startTicker } from "../ticker";
+import { startTicker } from "../timing";
 import "./alone.css";
 import "./essay.css";
 import { Figure } from "./figure";
-import { writeNumbers } from "./numbers";
-import { SCENES } from "./scenes";
+import { SCENES, writeNumbers } from "./scenes";
 import { EssayStage } from "./stage";
 
 /** Part of a scene's height that must be in sight for it to be alive. */

@@ -1,30 +1,26 @@
 // A scene of the essay as a figure of the page: the place of the picture, the button that lets go, one control, and
 // what is said of the motion. All scenes share one lab; the one in view has it.
 
-import { type Signal, batch, computed, effect, signal } from "@preact/signals-core";
+import { batch, computed, effect, type Signal, signal } from "@preact/signals-core";
 import { button, element, svgElement } from "../elements";
-import { clearFlicks, startFlicks } from "../falls/animation";
-import { MEASURED } from "../falls/paper";
-import { flickSummary } from "../falls/summary";
-import { tallyOf } from "../falls/tally";
-import { fitted } from "../flicks/fitted";
+import { clearFlicks, flickSummary, startFlicks } from "../falls/shown";
+import { MEASURED, tallyOf } from "../falls/tally";
+import { fitted } from "../falls/fit";
 import type { Lab } from "../lab";
-import { limitsOf } from "../limits/words";
+import { limitsOf } from "../limits/limits";
 import { LAB } from "../part";
-import { prefersReducedMotion } from "../reduced_motion";
+import { prefersReducedMotion } from "../timing";
 import { INITIAL, type Setup } from "../setup/setup";
 import { toHash } from "../setup/url";
-import { binsFor } from "../story/bins";
-import { frameField } from "../share/frame_code";
+import { binsFor, HEIGHT, humps, WIDTH } from "../falls/humps";
+import { frameField } from "../share/links";
 import { telephoneButton } from "../scene/telephone";
 import { soundButton } from "../sound/button";
-import { HEIGHT, WIDTH, humps } from "../story/humps";
 import { passageFrom } from "../verdict/passage";
-import { type Control, choice, slider, valuesOf } from "./control";
-import { Curve, POINTS, computeLines } from "./curve";
-import type { Scene } from "./scenes";
-import { type Facts, factsOf, guessInWords } from "./words";
-import { formatFixed } from "../format/numbers";
+import { choice, type Control, slider, valuesOf } from "./control";
+import { computeLines, Curve, POINTS } from "./curve";
+import { type Facts, factsOf, guessInWords, type Scene } from "./scenes";
+import { formatFixed } from "../format";
 import { say, sentences, words } from "../words/words";
 
 /** The first fall stops at this part of the time to the smallest tilt. */

@@ -1,11 +1,20 @@
-// The scenes of the essay: what each one shows, its one control, and what it says of the motion.
+// The scenes of the essay: what each one shows, its one control, and what the essay says of the motion.
 
-import { HAND_ERROR, type Setup } from "../setup/setup";
+import { HAND_ERROR, INITIAL, type Setup } from "../setup/setup";
 import type { Playback } from "../setup/playback";
 import type { Line } from "./curve";
-import { type Facts, cameUp, ranRound } from "./words";
-import { formatDegrees, formatFixed, formatPrecise } from "../format/numbers";
-import { say, words } from "../words/words";
+import {
+  formatDegrees,
+  formatDuration,
+  formatFixed,
+  formatLengthShort,
+  formatPrecise,
+} from "../format";
+import { say, sentences, words } from "../words/words";
+import type { Core, Theory } from "../core/core";
+import { type Passage, passageFrom } from "../verdict/passage";
+import { MEASURED } from "../falls/tally";
+import { bodyOf, contactLawOf, simulationInput, startOf } from "../setup/simulation_input";
 
 /** A slider for a quantity. */
 export interface Quantity {
@@ -232,3 +241,109 @@ export const SCENES: readonly Scene[] = [
     says: ranRound,
   },
 ];
+
+// What the essay says of a motion, in words.
+
+export interface Facts {
+  passage: Passage;
+  theory: Theory;
+  setup: Readonly<Setup>;
+  /** Smallest gap under the highest point of the rim, in words. */
+  gap: string;
+  /** Time for most of the angle, in words. */
+  time: string;
+  /** The visitor's guess, rad. */
+  guess: number;
+}
+
+export function factsOf(
+  passage: Passage,
+  theory: Theory,
+  setup: Readonly<Setup>,
+  guess: number,
+): Facts {
+  return {
+    passage,
+    theory,
+    setup,
+    gap: formatLengthShort(passage.validity.gap),
+    time: formatDuration(passage.validity.passageTime),
+    guess,
+  };
+}
+
+/** Compares a guess with where the body came up, in whole degrees. */
+export function cameUp({ passage, guess }: Facts): string {
+  const degrees = (angle: number) => Math.round((angle * 180) / Math.PI);
+  const [said, turned] = [degrees(guess), degrees(Math.abs(passage.angle))];
+  const apart = Math.abs(turned - said);
+  const { essay } = words;
+  return sentences(
+    say(essay.cameUp, { said: `${said}°`, straight: said === 180, turned: `${turned}°` }),
+    apart <= 3
+      ? essay.guessedWell
+      : say(essay.guessedOff, { angle: `${apart}°`, further: turned > said }),
+  );
+}
+
+/** Says how far the contact point ran and the body itself turned. */
+export function ranRound({ passage, setup, gap, time }: Facts): string {
+  const [angle, itself] = [passage.angle, passage.bodyAngle].map((angle) =>
+    formatDegrees(Math.abs(angle), 1),
+  ) as [string, string];
+  return say(words.essay.ranRound, { angle, time, ...words.nouns[setup.body], itself, gap });
+}
+
+/** The guess as people read it. */
+export function guessInWords(degrees: number): string {
+  const aside = Math.abs(degrees - 180);
+  return aside === 0
+    ? say(words.essay.straight, { angle: `${degrees}°` })
+    : say(words.essay.notStraight, {
+        angle: `${degrees}°`,
+        aside: `${aside}°`,
+        beyond: degrees > 180,
+      });
+}
+
+// Numbers in the prose of the essay. The page holds them as text, so that the prose is there before the core;
+// the core then writes its own.
+
+/** Every number of the prose by its name, as a text. */
+export function numbersOf(core: Core): Record<string, string> {
+  const setup: Setup = { ...INITIAL, ...SCENES[0]?.setup };
+  const theoryOf = (part: Partial<Setup>) => {
+    const all = { ...setup, ...part };
+    return core.theory(bodyOf(core, all), startOf(all), contactLawOf(all), all.gravity);
+  };
+  const { body, start, contactLaw, options } = simulationInput(core, setup);
+  const motion = core.simulate(body, start, contactLaw, options);
+  const passage = passageFrom(motion, 0);
+  motion.forget();
+  if (!passage) throw new Error("the essay's can does not come down");
+  const can = theoryOf({});
+  const { time } = factsOf(passage, can, setup, 0);
+  const flat = theoryOf({ body: "own", radius: 3, length: 0, wall: 0, base: 0, law: "no_slip" });
+  const half = Math.abs(passage.angle) - Math.PI;
+  return {
+    aside: degrees(half, 0),
+    time,
+    limit: degrees(can.noSlip, 1),
+    frictionless: degrees(can.frictionless, 1),
+    needed: formatFixed(can.neededFriction, 2),
+    disk: degrees(flat.noSlip, 1),
+    "disk-beyond": degrees(flat.noSlip - 2 * Math.PI, 1),
+    left: `${formatFixed(MEASURED.left.mean, 1)}°`,
+    right: `${formatFixed(MEASURED.right.mean, 1)}°`,
+  };
+}
+
+/** Writes the numbers into the elements that name them. */
+export function writeNumbers(core: Core, place: HTMLElement): void {
+  const numbers = numbersOf(core);
+  for (const one of place.querySelectorAll<HTMLElement>("[data-number]"))
+    one.textContent = numbers[one.dataset["number"] ?? ""] ?? "";
+}
+
+const degrees = (angle: number, decimals: number) =>
+  `${formatFixed((angle * 180) / Math.PI, decimals)}°`;

@@ -4,9 +4,8 @@
 import { effect } from "@preact/signals-core";
 import type { Lab } from "../lab";
 import { type Frame, frameIn } from "../scene/frame";
-import { listen } from "../scene/gestures";
+import { listen, listenToKeys } from "../scene/gestures";
 import { Hands } from "../scene/hands";
-import { listenToKeys } from "../scene/keys";
 import { onTheme } from "../scene/palette";
 import type { Picture } from "../scene/picture";
 import "../scene/scene.css";

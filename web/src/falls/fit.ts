@@ -5,6 +5,11 @@ import type { Core } from "../core/core";
 import type { Setup } from "../setup/setup";
 import { type Flick, flicksOf } from "./flicks";
 import { tallyOf } from "./tally";
+import { computed, effect, signal, untracked } from "@preact/signals-core";
+import { button, element } from "../elements";
+import { sliced } from "../timing";
+import { formatFixed } from "../format";
+import { say, words } from "../words/words";
 
 /** Measured turns to one side, degrees. */
 export interface MeasuredSide {
@@ -93,3 +98,50 @@ export function fitOf(all: readonly (Trial | undefined)[]): Fit | undefined {
   };
   return { friction, low: end(-1), high: end(1) };
 }
+
+// A button that asks which friction fits measured falls, and the answer.
+
+/** `setup` and `measured` read signals; the fit varies the table and takes the rest of the set-up as it is. */
+export function fitted(
+  core: Core,
+  setup: () => Readonly<Setup>,
+  measured: () => Measured | undefined,
+): HTMLElement {
+  const { fit } = words.flicks;
+  const asked = signal<string | undefined>(undefined);
+  const used = computed(() => JSON.stringify([withoutTable(setup()), measured()]));
+  const wanted = computed(() => asked.value === used.value);
+  const { results, complete } = sliced(() => {
+    const falls = measured();
+    return wanted.value && falls
+      ? trials(core, untracked(setup), falls)
+      : ([] as (Trial | undefined)[]).values();
+  });
+  const ask = button(fit.ask, () => (asked.value = used.peek()));
+  const said = element("p", { class: "fit", role: "status" });
+  effect(() => {
+    ask.hidden = measured() === undefined;
+    const best = wanted.value && complete.value ? fitOf(results.value) : undefined;
+    said.textContent = !wanted.value
+      ? ""
+      : !complete.value
+        ? fit.running
+        : best
+          ? say(fit.answer, {
+              friction: formatFixed(best.friction, 2),
+              low: formatFixed(best.low, 2),
+              high: formatFixed(best.high, 2),
+            })
+          : fit.none;
+  });
+  return element("div", { class: "fitted" }, ask, said);
+}
+
+/** The set-up without what the fit varies. */
+const withoutTable = (setup: Readonly<Setup>): Partial<Setup> => ({
+  ...setup,
+  law: "coulomb",
+  friction: 0,
+  flicks: 0,
+  unsteadiness: 0,
+});

@@ -1,9 +1,9 @@
 // What the page knows of a floor that moves before the part that shakes it has been loaded.
 
 import type { Computation } from "../core/computation";
+import type { Input } from "../core/core";
 import type { Motion } from "../core/motion";
 import type { Setup } from "../setup/setup";
-import type { SimulationInput } from "../setup/simulation_input";
 import type { Content } from "../verdict/content";
 
 /** Distances along x, y and z, m. */
@@ -32,7 +32,7 @@ export type TableMotion = Record<
 
 /** A motion of the floor. */
 export interface Shaking {
-  simulation(input: SimulationInput): Computation;
+  simulation(input: Input): Computation;
   /** The motion of the table at times, s. */
   at(times: ArrayLike<number>): TableMotion;
   /** Where the table and the camera are at a time (s). The camera follows a table that moves farther than `leash` (m)
@@ -51,5 +51,5 @@ export interface Shaking {
 /** The part of the page that shakes the floor. */
 export interface Shaker {
   /** What is simulated on the floor of a set-up, given what would be simulated on a floor at rest. */
-  inputOf(setup: Readonly<Setup>, atRest: SimulationInput): SimulationInput;
+  inputOf(setup: Readonly<Setup>, atRest: Input): Input & { shaking: Shaking };
 }

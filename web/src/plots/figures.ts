@@ -1,12 +1,11 @@
 // The figures and their lines.
 
 import type { LawName, Theory } from "../core/core";
-import type { Column, Moment, Moments, Motion } from "../core/motion";
+import { type Column, countBelow, type Moment, type Moments, type Motion } from "../core/motion";
 import type { Shaking, TableMotion } from "../floor/shaking";
-import { type Rates, bodyRates, bodyRatesAt } from "../gyro/rates";
+import { bodyRates, bodyRatesAt, type Rates } from "../gyro/rates";
 import type { Colour } from "./palette";
-import { countBelow } from "../rising";
-import type { Values } from "./thinned";
+import type { Values } from "./samples";
 import { say, words } from "../words/words";
 
 /** The data of a figure. */

@@ -7,15 +7,14 @@ import type { Lab } from "../lab";
 import { Chart } from "./chart";
 import { FIGURES, FLOOR, type Subject } from "./figures";
 import { attachGestures } from "./gestures";
-import { joined } from "./joined";
+import { joined, sampled } from "./samples";
 import { paletteOf } from "./palette";
 import "./plots.css";
-import { sampled } from "./sampled";
 import { chooser, phaseKey, toolbar } from "./toolbar";
 import type { Setup } from "../setup/setup";
 import type { Simulation } from "../simulation";
 import { View } from "./view";
-import { inSight, inTurn, onceIdle, oncePerFrame } from "./redraw";
+import { inSight, inTurn, onceIdle, oncePerFrame } from "../timing";
 import { words } from "../words/words";
 
 /** On a page narrower than this, one plot is shown at a time. */

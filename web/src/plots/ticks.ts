@@ -1,7 +1,14 @@
 // Labels of the axes.
 
-import { SUPERSCRIPTS, formatNumber, significant, written } from "../format/numbers";
-import { type TimeUnit, formatDuration, unitFor } from "../format/times";
+import {
+  formatDuration,
+  formatNumber,
+  significant,
+  SUPERSCRIPTS,
+  type TimeUnit,
+  unitFor,
+  written,
+} from "../format";
 import type { Stretch } from "./view";
 import { say, words } from "../words/words";
 

@@ -1,9 +1,9 @@
 // The bar above the plots: the stretch shown, zoom buttons, and a choice of plot on a narrow page.
 
-import { type Signal, effect } from "@preact/signals-core";
+import { effect, type Signal } from "@preact/signals-core";
 import { element } from "../elements";
 import type { Lab } from "../lab";
-import { FLOOR, type Figure } from "./figures";
+import { type Figure, FLOOR } from "./figures";
 import { stretchText } from "./ticks";
 import type { View } from "./view";
 import { say, words } from "../words/words";

@@ -1,9 +1,8 @@
 // The stretch of the motion that all plots show. A zoomed stretch is stored relative to the nearest
 // collision, so that it follows that collision when a slider moves it.
 
-import { type ReadonlySignal, type Signal, computed, signal } from "@preact/signals-core";
-import type { Motion } from "../core/motion";
-import { type Collision, collisionsOf, nearest } from "../time/collisions";
+import { computed, type ReadonlySignal, type Signal, signal } from "@preact/signals-core";
+import { type Collision, collisionsOf, type Motion, nearest } from "../core/motion";
 
 /** The start and end of the stretch, s, counted from an origin: as times from the start of the motion,
  * close ones could not be distinguished. */

@@ -5,7 +5,7 @@ import { CircleGeometry, Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial
 import type { Flick } from "../falls/flicks";
 import type { Palette } from "./palette";
 import { Ribbon } from "./ribbon";
-import { type Limit, limitStrokes } from "./wedge";
+import { type Limit, limitStrokes } from "./turn";
 
 /** Radius of the ring, radius of a dot and height of the highest stack, in radii of the circle of degrees. */
 const [RING, DOT, HIGHEST] = [1.07, 0.02, 0.4];

@@ -3,59 +3,50 @@
 
 import { CylinderGeometry, Group, Matrix4, Mesh, Raycaster, Vector2, Vector3 } from "three";
 import {
+  bodyAngleAlongContact,
   type Lab,
   type Outcome,
   type Simulated,
   type TurnProgress,
-  bodyAngleAlongContact,
 } from "../lab";
 import type { Ghost } from "../compare/ghost";
 import type { Moment, Motion } from "../core/motion";
 import type { InPicture } from "../floor/shaking";
-import { formatDegrees } from "../format/numbers";
-import { inFrame } from "../frames";
-import { prefersReducedMotion } from "../reduced_motion";
+import { formatDegrees } from "../format";
+import { inFrame, prefersReducedMotion } from "../timing";
 import { BODY_FIELDS } from "../setup/fields";
 import type { Held } from "../setup/release";
 import type { Setup } from "../setup/setup";
 import { dispose, pictureOf, setSeeThrough } from "./bodies/bodies";
-import { MARK_FACES, markPlace } from "./bodies/mark";
-import { type Size, reachOf, sizeOf } from "./bodies/shapes";
+import { MARK_FACES, markPlace, reachOf, type Size, sizeOf } from "./bodies/shapes";
 import type { Closeup } from "./closeup";
-import { Contact } from "./contact";
+import { Contact, Slip, Trail } from "./path";
 import { Dots } from "./dots";
 import type { Frame } from "./frame";
 import type { Grasped } from "./gestures";
-import { formatLength, powerOfTen } from "./lengths";
-import { FrameRate } from "./frame_rate";
-import { Guess } from "./guess";
-import { Outline } from "./outline";
+import { formatLength, powerOfTen, Protractor, Ruler } from "./measures";
+import { FrameRate, Stage } from "./stage";
+import { Guess, type Limit, Wedge } from "./turn";
+import { Labels, Outline } from "./labels";
 import { readPalette } from "./palette";
 import {
   type Footing,
-  type Pose,
-  type Rim,
-  type Spot,
   footingOf,
   heldContact,
   heldPose,
   lowestOf,
+  type Pose,
   poseOf,
+  type Rim,
   setPose,
+  type Spot,
   standingSpot,
 } from "./pose";
-import { Protractor } from "./protractor";
 import { PIXEL } from "./ribbon";
-import { Ruler } from "./ruler";
 import { Shade } from "./shade";
 import type { ShakenTable } from "./shaken";
-import { Slip } from "./slip";
-import { Stage } from "./stage";
 import { Table } from "./table";
-import { Trail } from "./trail";
 import { View } from "./view";
-import { type Limit, Wedge } from "./wedge";
-import { Labels } from "./labels";
 import { say, words } from "../words/words";
 
 /** How far a shaken table may be from the middle of the picture, in radii of the circle of degrees. */

@@ -1,7 +1,7 @@
 // The telephone as the hand: while one holds a button, the body tips as the telephone does, and letting go of the
 // button lets go of the body. The button appears where there is a sensor of the orientation.
 
-import { type ReadonlySignal, effect } from "@preact/signals-core";
+import { effect, type ReadonlySignal } from "@preact/signals-core";
 import { button, element } from "../elements";
 import type { Lab } from "../lab";
 import type { Lean } from "../setup/release";

@@ -1,7 +1,7 @@
 // The camera, at an azimuth, an elevation and a distance from the body.
 
 import type { PerspectiveCamera } from "three";
-import { prefersReducedMotion } from "../reduced_motion";
+import { prefersReducedMotion } from "../timing";
 import type { ViewName } from "../setup/playback";
 
 /** Bound of the elevation above and below the table, rad: not quite vertical. */

@@ -3,9 +3,8 @@
 import { batch, effect } from "@preact/signals-core";
 import type { Lab } from "../lab";
 import { LAB, partOf } from "../part";
-import { prefersReducedMotion } from "../reduced_motion";
-import { showStep } from "../story/show_step";
-import { STEPS } from "../story/steps";
+import { prefersReducedMotion } from "../timing";
+import { showStep, STEPS } from "../story/steps";
 import { INITIAL } from "./setup";
 import { fromHash, holdsSetup, inFull, toHash } from "./url";
 import { choiceOf, say, words } from "../words/words";

@@ -2,7 +2,6 @@
 // The controls, the URL and the refusals are made from this table.
 
 import type { Preset } from "../core/core";
-import { FALLS_PATTERN } from "../falls/given";
 import { words } from "../words/words";
 
 export interface NumberField {
@@ -34,7 +33,7 @@ export interface ChoiceField {
   help: string;
 }
 
-/** What a visitor recorded, as a text: accelerations (floor/record.ts) or directions of falls (falls/given.ts). */
+/** What a visitor recorded, as a text: accelerations (floor/ground.ts) or directions of falls (falls/tally.ts). */
 export interface RecordField {
   kind: "record";
   label: string;
@@ -47,6 +46,12 @@ export interface RecordField {
 export type Described = "own" | "inertia";
 
 export type BodyName = Preset | Described;
+
+/** As many measured falls as a link holds. */
+export const MOST_FALLS = 600;
+
+/** Directions of falls as a link has them: numbers with at most one decimal, between underscores. */
+const FALLS_PATTERN = String.raw`([0-9]{1,3}(\.[0-9])?(_[0-9]{1,3}(\.[0-9])?){0,${MOST_FALLS - 1}})?`;
 
 export const FIELDS = {
   body: {
@@ -384,3 +389,12 @@ export const BODY_FIELDS: Record<string, readonly FieldName[]> = {
   own: ["radius", "length", "mass", "wall", "base"],
   inertia: ["radius", "mass", "height", "transverse", "axial"],
 };
+
+// A refused value and the reason, for the visitor who typed it or followed a link that holds it.
+
+export interface Refusal {
+  field: FieldName | PlaybackName;
+  /** The text as the visitor wrote it. */
+  text: string;
+  message: string;
+}

@@ -1,7 +1,6 @@
 // How fast a motion is played and from where it is seen. The motion does not depend on it, but a link holds it.
 
-import type { PlaybackName } from "./fields";
-import type { Refusal } from "./refusal";
+import type { PlaybackName, Refusal } from "./fields";
 import { choiceOf, say, words } from "../words/words";
 
 export const SPEEDS = [1, 0.5, 0.2, 0.1, 0.02, 0.01, 0.001, 0.0001] as const;

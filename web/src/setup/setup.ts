@@ -1,11 +1,17 @@
 // A set-up: the body, its release and the table, with numbers in the units of their fields.
 
-import { formatExact, withUnit } from "../format/numbers";
+import { formatExact, withUnit } from "../format";
 import { NUMBERS, type NumberStyle } from "../words/language";
 import { choiceOf, say, words } from "../words/words";
 import type { LawName } from "../core/core";
-import { type BodyName, FIELDS, FIELD_NAMES, type FieldName, type NumberField } from "./fields";
-import type { Refusal } from "./refusal";
+import {
+  type BodyName,
+  FIELD_NAMES,
+  type FieldName,
+  FIELDS,
+  type NumberField,
+  type Refusal,
+} from "./fields";
 
 type Values = {
   [Name in FieldName]: (typeof FIELDS)[Name]["kind"] extends "number" ? number : string;

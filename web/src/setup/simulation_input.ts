@@ -1,19 +1,17 @@
 // Converts the set-up from the visitor's units to the input of the core.
 
-import type { Body, Core, Options, Solid, State, ContactLaw } from "../core/core";
+import type { Body, ContactLaw, Core, Input, Solid, State } from "../core/core";
 import type { Shaking } from "../floor/shaking";
 import type { Setup } from "./setup";
+import { Refused } from "../core/exchange";
+import { say, words } from "../words/words";
 
 export const RING_RADIUS = 0.05;
 
 const RADIANS = Math.PI / 180;
 
 /** Everything that determines a motion, in SI units and radians. */
-export interface SimulationInput {
-  body: Body;
-  start: State;
-  contactLaw: ContactLaw;
-  options: Options;
+export interface SimulationInput extends Input {
   /** How the floor moves; without it the floor is at rest. */
   shaking?: Shaking;
 }
@@ -88,4 +86,15 @@ export function contactLawOf(setup: Readonly<Setup>): ContactLaw {
   if (setup.law !== "coulomb") return { law: setup.law, ...resistance };
   const { friction, restitution } = setup;
   return { law: "coulomb", friction, restitution, ...resistance };
+}
+
+// The reason why the core gave no answer, in words.
+
+/** The reason behind an error of the core; any other error is thrown again. */
+export function reasonOrRethrow(error: unknown): string {
+  if (error instanceof Refused) return error.message;
+  // The computation broke off, for example for lack of memory.
+  if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)
+    return say(words.verdict.computationFailed, { why: error.message });
+  throw error;
 }

@@ -1,9 +1,8 @@
 // Writes the set-up into the part of the address after #, which links hold and servers do not see.
 
-import { FIELD_NAMES, type FieldName, MOTION_FIELDS, OTHER } from "./fields";
-import { INITIAL_PLAYBACK, type Playback, playbackInLink, playbackFrom } from "./playback";
-import type { Refusal } from "./refusal";
-import { BY_HAND, INITIAL, type Setup, read } from "./setup";
+import { FIELD_NAMES, type FieldName, MOTION_FIELDS, OTHER, type Refusal } from "./fields";
+import { INITIAL_PLAYBACK, type Playback, playbackFrom, playbackInLink } from "./playback";
+import { BY_HAND, INITIAL, read, type Setup } from "./setup";
 import { say, words } from "../words/words";
 
 /** The content of a link. */

@@ -3,13 +3,9 @@
 import { effect } from "@preact/signals-core";
 import { button, element } from "../elements";
 import type { Lab, Outcome } from "../lab";
-import { toCsv } from "../setup/csv";
-import { toPython } from "../setup/python";
+import { download, toCsv, toPython } from "../setup/export";
 import { hashOf } from "../setup/address";
-import { copyText } from "./copy";
-import { download } from "./download";
-import { frameField } from "./frame_code";
-import { shareLink } from "./share_link";
+import { copyText, frameField, shareLink } from "./links";
 import { say, words } from "../words/words";
 
 export function mountShare(lab: Lab, place: HTMLElement): void {

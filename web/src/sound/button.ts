@@ -1,9 +1,8 @@
 // The button that turns the sound on and off. It is off at first; what makes the sound is loaded when it is first turned on.
 
 import { effect, signal } from "@preact/signals-core";
-import { element } from "../elements";
+import { element, icon } from "../elements";
 import type { Lab } from "../lab";
-import { icon } from "../transport/icons";
 import { words } from "../words/words";
 
 /** Whether the sound is on, in the whole page. */

@@ -1,8 +1,11 @@
 // The paper in six steps, each with a text and a set-up of the lab.
 
 import type { Playback } from "../setup/playback";
-import { BY_HAND, HAND_ERROR, type Setup } from "../setup/setup";
+import { BY_HAND, HAND_ERROR, INITIAL, type Setup } from "../setup/setup";
 import { words } from "../words/words";
+import { batch } from "@preact/signals-core";
+import { clearFlicks, startFlicks } from "../falls/shown";
+import type { Lab } from "../lab";
 
 export interface Step extends Playback {
   title: string;
@@ -76,3 +79,25 @@ export const STEPS: readonly Step[] = [
     shows: "release",
   },
 ];
+
+// Sets the lab up for a step of the story and plays it.
+
+/** Plays up to the end of the first turn, after which the motion repeats itself. Without `moving` it
+ * shows that moment at once. */
+export function showStep(lab: Lab, step: Step, moving: boolean): void {
+  const { clock } = lab;
+  batch(() => {
+    clearFlicks(lab);
+    lab.compare(undefined, { ...INITIAL, ...step.setup });
+    lab.setPlayback(step);
+    // Restart even if the set-up is unchanged.
+    clock.pause();
+    clock.rewind();
+  });
+  // Compute the rest now, not while the motion is playing.
+  lab.complete();
+  if (step.shows === "flicks") startFlicks(lab);
+  const turnEnd = lab.motion.value?.turns[0]?.end ?? clock.end;
+  if (moving) clock.play(turnEnd);
+  else clock.time.value = turnEnd;
+}

@@ -2,11 +2,10 @@
 
 import { effect } from "@preact/signals-core";
 import type { Lab } from "../lab";
-import { prefersReducedMotion } from "../reduced_motion";
+import { prefersReducedMotion } from "../timing";
 import { goToStep } from "../setup/address";
-import { fallsOf } from "./falls";
-import { showStep } from "./show_step";
-import { STEPS, type Step } from "./steps";
+import { fallsOf } from "../falls/humps";
+import { showStep, type Step, STEPS } from "./steps";
 import "./story.css";
 import { say, words } from "../words/words";
 

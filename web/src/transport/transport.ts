@@ -1,18 +1,15 @@
-// The playback controls: buttons, scrubber, speed and time.
+// The playback controls: buttons and keys, a scrubber with marks of events, speed and time.
 
-import { effect } from "@preact/signals-core";
-import { element } from "../elements";
-import { formatFixed } from "../format/numbers";
+import { effect, type Signal, signal } from "@preact/signals-core";
+import { element, type Icon, icon } from "../elements";
+import { formatDuration, formatFixed, significant } from "../format";
 import type { Lab } from "../lab";
-import { SPEEDS, speedName } from "../setup/playback";
-import { collisionsOf, nearest } from "../time/collisions";
-import { type Icon, icon } from "./icons";
-import { keysOn, onKeys } from "./keys";
-import { collisionText, slowdownText } from "./readout";
-import { scrubber } from "./scrubber";
+import { speedName, SPEEDS } from "../setup/playback";
+import { collisionsOf, nearest } from "../core/motion";
 import "./transport.css";
 import { soundButton } from "../sound/button";
-import { words } from "../words/words";
+import { say, words } from "../words/words";
+import { shownPart } from "../part";
 
 const texts = words.transport;
 
@@ -159,5 +156,140 @@ function keys(): HTMLElement {
       key("Home", texts.keyHome),
     ),
     element("label", {}, box, ` ${texts.keysOn}`),
+  );
+}
+
+// A slider that goes to any time of the motion.
+
+const ARROWS: Record<string, number> = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
+/** Frames that an arrow key with Shift moves. */
+const LEAP = 10;
+
+export function scrubber(lab: Lab): HTMLElement {
+  const range = element("input", {
+    type: "range",
+    min: "0",
+    max: "1",
+    step: "any",
+    value: "0",
+    "aria-label": words.transport.shown,
+  });
+  range.addEventListener("input", () => {
+    lab.clock.pause();
+    lab.clock.progress = range.valueAsNumber;
+  });
+  range.addEventListener("keydown", (event) => {
+    const frames = ARROWS[event.key];
+    if (frames === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    lab.clock.step(event.shiftKey ? LEAP * frames : frames);
+  });
+  effect(() => {
+    const { clock } = lab;
+    range.disabled = lab.motion.value === undefined;
+    range.value = String(clock.progress);
+    range.style.setProperty("--part", String(clock.progress));
+    // While the motion plays, a screen reader would read times without end.
+    if (!clock.playing.value)
+      range.setAttribute("aria-valuetext", timeText(clock.time.value, clock.end));
+  });
+  return element("div", { class: "scrubber" }, range, marks(lab));
+}
+
+// Writes the time shown and the speed in words.
+
+/** The time (s) in a motion: 0.3214 s of 3 s. */
+export function timeText(time: number, end: number): string {
+  return say(words.transport.of, {
+    time: `${formatFixed(time, 4)} s`,
+    end: `${significant(end, 4)} s`,
+  });
+}
+
+/** The time (s) relative to a collision (s): 12.3 µs before the collision. */
+export function collisionText(time: number, collision: number | undefined): string {
+  if (collision === undefined) return "";
+  const since = time - collision;
+  if (since === 0) return words.transport.atCollision;
+  return say(words.transport.fromCollision, {
+    time: formatDuration(Math.abs(since)),
+    when: since < 0 ? "before" : "after",
+  });
+}
+
+/** The speed compared with real time. */
+export function slowdownText(slowdown: number): string {
+  if (slowdown < 1.005) return words.transport.inRealTime;
+  return say(words.transport.slower, { times: significant(slowdown, 2) });
+}
+
+// Keys that work anywhere in the lab, except in text fields and in controls that use them.
+
+/** Whether the keys work; visitors who use speech input can switch them off. */
+export const keysOn: Signal<boolean> = signal(true);
+
+/** Elements that use keys themselves. */
+const TYPED_IN =
+  "input:not([type=range], [type=checkbox], [type=radio], [type=button]), select, textarea, [contenteditable], [role=textbox]";
+const PRESSED = "button, summary, a[href], input, select, [role=button], [role=slider]";
+
+export function onKeys(actions: Record<string, () => void>): void {
+  addEventListener("keydown", (event) => {
+    const act = actions[event.key];
+    if (!act || !keysOn.value || event.defaultPrevented || shownPart() !== "lab") return;
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const target = event.target instanceof Element ? event.target : document.body;
+    const punctuation = event.key === "," || event.key === ".";
+    if (target.closest(punctuation ? TYPED_IN : `${TYPED_IN}, ${PRESSED}`)) return;
+    act();
+    // On Home the page also scrolls to its top, where the scene is.
+    if (event.key !== "Home") event.preventDefault();
+  });
+}
+
+// Marks of events under the scrubber.
+
+/** Kinds of marks with their events, the more important kinds first. */
+const KINDS: Record<string, readonly string[]> = {
+  collision: ["tilt_min", "face_down", "topple"],
+  grip: ["slip", "stick"],
+  landing: ["lift_off", "land", "uplift", "stand"],
+};
+
+/** Smallest distance between two marks, as a fraction of the scrubber. */
+const APART = 0.012;
+
+export function marks(lab: Lab): HTMLElement {
+  const all = element("div", { class: "marks", "aria-hidden": "true" });
+  effect(() => {
+    const events = lab.motion.value?.events ?? [];
+    const placed = Object.values(KINDS).map((kinds) =>
+      events
+        .filter((event) => kinds.includes(event.kind))
+        .map((event) => lab.clock.progressAt(event.moment.t)),
+    );
+    const names = Object.keys(KINDS);
+    all.replaceChildren(
+      ...apart(placed).flatMap((places, k) =>
+        places.map((place) =>
+          element("i", { class: names[k] as string, style: `--place: ${place.toFixed(5)}` }),
+        ),
+      ),
+    );
+  });
+  return all;
+}
+
+/** Removes marks that are too close to an earlier mark or to one of a more important kind. */
+export function apart(kinds: readonly (readonly number[])[]): number[][] {
+  const taken = new Set<number>();
+  const cell = (place: number) => Math.floor(place / APART);
+  const free = (place: number) => ![-1, 0, 1].some((beside) => taken.has(cell(place) + beside));
+  return kinds.map((places) =>
+    places.filter((place) => {
+      if (!free(place)) return false;
+      taken.add(cell(place));
+      return true;
+    }),
   );
 }

@@ -1,7 +1,7 @@
 // The passage of a body through a near-collision: it comes down, its contact point races, it rises again.
 
-import { type ReadonlySignal, computed } from "@preact/signals-core";
-import { type Motion, type Validity, headingOf } from "../core/motion";
+import { computed, type ReadonlySignal } from "@preact/signals-core";
+import { headingOf, type Motion, type Validity } from "../core/motion";
 import type { Lab } from "../lab";
 
 export interface Passage {

@@ -2,10 +2,9 @@
 
 import { computed, effect } from "@preact/signals-core";
 import { element } from "../elements";
-import { formatDegrees } from "../format/numbers";
-import { type Lab, bodyAngleAlongContact } from "../lab";
-import { contentInHand } from "./in_hand";
-import { contentInMotion } from "./in_motion";
+import { formatDegrees } from "../format";
+import { bodyAngleAlongContact, type Lab } from "../lab";
+import { contentInHand, contentInMotion } from "./tiles";
 import { shownPassage } from "./passage";
 import { sentences } from "../words/words";
 

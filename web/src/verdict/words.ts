@@ -3,8 +3,7 @@
 import type { Outcome } from "../lab";
 import type { Theory } from "../core/core";
 import type { Motion } from "../core/motion";
-import { formatDegrees, formatFixed, formatNumber } from "../format/numbers";
-import { formatDuration } from "../format/times";
+import { formatDegrees, formatDuration, formatFixed, formatNumber } from "../format";
 import type { Setup } from "../setup/setup";
 import type { Passage } from "./passage";
 import { say, sentences, words } from "../words/words";

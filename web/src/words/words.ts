@@ -4,13 +4,7 @@
 import format, { type FormatValues } from "icu-minify/format";
 import en from "./en.json";
 import { LANGUAGE, type Language } from "./language";
-import { TABLES } from "./tables";
-
-/** All words that the page says, in one language. Messages with places for values are said by {@link say}. */
-export type Words = Omit<typeof en, "nouns"> & {
-  /** Forms of the noun of each body, as its sentences need them: the language's own, by their names. */
-  nouns: Readonly<Record<keyof (typeof en)["nouns"], Readonly<Record<string, string>>>>;
-};
+import { TABLES, type Words } from "./tables";
 
 const table = LANGUAGE === "en" ? undefined : await tableOf(LANGUAGE);
 

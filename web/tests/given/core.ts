@@ -1,8 +1,7 @@
 import { readFile } from "node:fs/promises";
 import { Core } from "../../src/core/core";
 import type { Motion } from "../../src/core/motion";
-import { ShakenCore } from "../../src/floor/shaken_core";
-import { shakerWith } from "../../src/floor/shaker";
+import { ShakenCore, shakerWith } from "../../src/floor/floor";
 import { type SimulationInput, simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 

@@ -1,6 +1,6 @@
 // Random set-ups.
 
-import { FIELDS, FIELD_NAMES, type FieldName } from "../../src/setup/fields";
+import { FIELD_NAMES, type FieldName, FIELDS } from "../../src/setup/fields";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import type { Chance } from "./chance";
 

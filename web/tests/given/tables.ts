@@ -3,7 +3,8 @@
 import { readFileSync } from "node:fs";
 import compile from "icu-minify/compile";
 import { LANGUAGES, type Language } from "../../src/words/language";
-import { type Words, sayIn } from "../../src/words/words";
+import type { Words } from "../../src/words/tables";
+import { sayIn } from "../../src/words/words";
 
 const read = (language: Language): Words =>
   JSON.parse(

@@ -2,16 +2,14 @@
 
 import { beforeAll, describe, expect, test } from "vitest";
 import { Clock, MAX_CONTACT_RATE } from "../../src/clock";
-import { dashesAlong, dashesUntil } from "../../src/compare/dashes";
-import { isBeside, layoutOf } from "../../src/compare/layout";
-import { numbersOf } from "../../src/compare/numbers";
-import { PRESETS } from "../../src/compare/presets";
-import { numberRows, setupRows } from "../../src/compare/rows";
+import { dashesAlong, dashesUntil, isBeside, layoutOf } from "../../src/compare/ghost";
+import { numberRows, numbersOf, setupRows } from "../../src/compare/table";
+import { PRESETS } from "../../src/compare/section";
 import type { Core } from "../../src/core/core";
-import { joined } from "../../src/plots/joined";
+import { joined } from "../../src/plots/samples";
 import { sizeOf } from "../../src/scene/bodies/shapes";
 import { MOTION_FIELDS } from "../../src/setup/fields";
-import { readLink, hashOf } from "../../src/setup/address";
+import { hashOf, readLink } from "../../src/setup/address";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { fromHash, toHash } from "../../src/setup/url";
 import { Chance } from "../given/chance";

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { Moments, type Motion } from "../../src/core/motion";
 import { simulationInput } from "../../src/setup/simulation_input";
-import { toCsv } from "../../src/setup/csv";
+import { toCsv } from "../../src/setup/export";
 import { INITIAL } from "../../src/setup/setup";
 import { loadCore } from "../given/core";
 

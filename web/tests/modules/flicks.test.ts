@@ -2,10 +2,9 @@
 
 import { afterEach, beforeAll, beforeEach, describe, expect, test, vi } from "vitest";
 import type { Core } from "../../src/core/core";
-import { clearFlicks, startFlicks } from "../../src/falls/animation";
+import { clearFlicks, flickSummary, startFlicks } from "../../src/falls/shown";
 import { simulateFlicks } from "../../src/falls/flicks";
 import { tallyOf } from "../../src/falls/tally";
-import { flickSummary } from "../../src/falls/summary";
 import { simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { loadCore } from "../given/core";

@@ -4,7 +4,7 @@
 import { beforeAll, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
 import { simulationInput } from "../../src/setup/simulation_input";
-import { toPython } from "../../src/setup/python";
+import { toPython } from "../../src/setup/export";
 import { fromHash } from "../../src/setup/url";
 import { loadCore } from "../given/core";
 import { printed } from "../given/python";

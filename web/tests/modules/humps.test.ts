@@ -7,8 +7,7 @@ import { tallyOf } from "../../src/falls/tally";
 import { FIELDS } from "../../src/setup/fields";
 import { simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
-import { binsFor, binned, limitsOf } from "../../src/story/bins";
-import { humps } from "../../src/story/humps";
+import { binned, binsFor, humps, limitsOf } from "../../src/falls/humps";
 import { STEPS } from "../../src/story/steps";
 import { loadCore } from "../given/core";
 

@@ -1,14 +1,14 @@
 // The tables of all languages say the same: every word, every number, and a sentence for every case.
 
-import { readFileSync, readdirSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import compile from "icu-minify/compile";
 import ts from "typescript";
 import { expect, test } from "vitest";
 import { withProse } from "../../messages";
 import { FIELDS } from "../../src/setup/fields";
-import { LANGUAGES, type Language } from "../../src/words/language";
-import { TABLES, said } from "../given/tables";
+import { type Language, LANGUAGES } from "../../src/words/language";
+import { said, TABLES } from "../given/tables";
 
 const PAGE = readFileSync(new URL("../../index.html", import.meta.url), "utf8");
 const OTHERS = LANGUAGES.filter((language) => language !== "en");

@@ -3,8 +3,7 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
 import type { Validity } from "../../src/core/motion";
-import { limitsOf } from "../../src/limits/words";
-import { touching } from "../../src/limits/touching";
+import { limitsOf, touching } from "../../src/limits/limits";
 import { BY_HAND, type Setup } from "../../src/setup/setup";
 import { passageFrom } from "../../src/verdict/passage";
 import { loadCore } from "../given/core";

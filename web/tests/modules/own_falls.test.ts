@@ -4,9 +4,14 @@ import { beforeAll, describe, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
 import { fitOf, trials } from "../../src/falls/fit";
 import { simulateFlicks } from "../../src/falls/flicks";
-import { fallsFromLink, fallsInLink, fallsTyped, tallyOfFalls } from "../../src/falls/given";
-import { MEASURED } from "../../src/falls/paper";
-import { tallyOf } from "../../src/falls/tally";
+import {
+  fallsFromLink,
+  fallsInLink,
+  fallsTyped,
+  MEASURED,
+  tallyOf,
+  tallyOfFalls,
+} from "../../src/falls/tally";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { fromHash, toHash } from "../../src/setup/url";
 import { loadCore } from "../given/core";

@@ -2,8 +2,7 @@
 
 import { expect, test } from "vitest";
 import { simulationInput } from "../../src/setup/simulation_input";
-import { toCsv } from "../../src/setup/csv";
-import { toPython } from "../../src/setup/python";
+import { toCsv, toPython } from "../../src/setup/export";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { Chance } from "../given/chance";
 import { loadCore } from "../given/core";

@@ -3,15 +3,12 @@
 import { signal } from "@preact/signals-core";
 import { beforeAll, describe, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
-import type { Motion } from "../../src/core/motion";
-import { sampled } from "../../src/plots/sampled";
-import { countBelow } from "../../src/rising";
-import { thinned } from "../../src/plots/thinned";
-import { powerText, powersOfTen, stretchText, tickTexts, timeLabel } from "../../src/plots/ticks";
+import { countBelow, type Motion } from "../../src/core/motion";
+import { sampled, thinned } from "../../src/plots/samples";
+import { powersOfTen, powerText, stretchText, tickTexts, timeLabel } from "../../src/plots/ticks";
 import { View } from "../../src/plots/view";
 import type { Setup } from "../../src/setup/setup";
-import { significant } from "../../src/format/numbers";
-import { formatDuration } from "../../src/format/times";
+import { formatDuration, significant } from "../../src/format";
 import { loadCore, motionOf as motionFrom } from "../given/core";
 
 let core: Core;

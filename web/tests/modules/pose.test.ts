@@ -4,7 +4,7 @@ import { Matrix4, Vector3 } from "three";
 import { beforeAll, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
 import { sizeOf } from "../../src/scene/bodies/shapes";
-import { footingOf, heldPose, setPose, poseOf } from "../../src/scene/pose";
+import { footingOf, heldPose, poseOf, setPose } from "../../src/scene/pose";
 import { FIELDS } from "../../src/setup/fields";
 import { bodyOf, simulationInput } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";

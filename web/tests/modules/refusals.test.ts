@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { allowed } from "../../fields";
-import { formatExact } from "../../src/format/numbers";
-import { FIELDS, FIELD_NAMES, type FieldName, MOTION_FIELDS } from "../../src/setup/fields";
+import { formatExact } from "../../src/format";
+import { FIELD_NAMES, type FieldName, FIELDS, MOTION_FIELDS } from "../../src/setup/fields";
 import { read } from "../../src/setup/setup";
 import { Chance } from "../given/chance";
 

@@ -1,7 +1,6 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import type { Core, State } from "../../src/core/core";
-import { simulateFlicks } from "../../src/falls/flicks";
-import { scatteredStarts, spreads } from "../../src/falls/scatter";
+import { scatteredStarts, simulateFlicks, spreads } from "../../src/falls/flicks";
 import { bodyOf, startOf } from "../../src/setup/simulation_input";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { loadCore } from "../given/core";

@@ -2,10 +2,9 @@
 
 import { expect, test } from "vitest";
 import type { Motion } from "../../src/core/motion";
-import { recordOf } from "../../src/floor/record";
-import { toCsv } from "../../src/setup/csv";
+import { recordOf } from "../../src/floor/ground";
+import { toCsv, toPython } from "../../src/setup/export";
 import { FIELDS } from "../../src/setup/fields";
-import { toPython } from "../../src/setup/python";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { simulationInput } from "../../src/setup/simulation_input";
 import { Chance } from "../given/chance";

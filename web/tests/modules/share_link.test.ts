@@ -3,7 +3,7 @@
 import { describe, expect, test } from "vitest";
 import { INITIAL_PLAYBACK } from "../../src/setup/playback";
 import { fromHash, toHash } from "../../src/setup/url";
-import { frameCode, shareLink } from "../../src/share/share_link";
+import { frameCode, shareLink } from "../../src/share/links";
 import { Chance } from "../given/chance";
 import { anySetup } from "../given/setups";
 

@@ -2,7 +2,7 @@
 
 import { signal } from "@preact/signals-core";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { sliced } from "../../src/falls/sliced";
+import { sliced } from "../../src/timing";
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());

@@ -2,7 +2,7 @@
 
 import { beforeAll, describe, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
-import { BUMPS, clicks, loudness, synthesize } from "../../src/sound/synthesis";
+import { BUMPS, clicks, loudness, synthesize } from "../../src/sound/speaker";
 import { loadCore } from "../given/core";
 import { labWith } from "../given/page";
 

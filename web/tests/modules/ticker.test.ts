@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals-core";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { Clock } from "../../src/clock";
-import { startTicker } from "../../src/ticker";
+import { startTicker } from "../../src/timing";
 
 let pictures: ((now: number) => void)[] = [];
 beforeEach(() => {

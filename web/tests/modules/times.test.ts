@@ -1,8 +1,7 @@
 // Very short times and very small numbers are written for people.
 
 import { expect, test } from "vitest";
-import { significant } from "../../src/format/numbers";
-import { formatDuration } from "../../src/format/times";
+import { formatDuration, significant } from "../../src/format";
 
 test.each([
   [9.24e-15, "9.24\u00a0fs"],

@@ -1,8 +1,7 @@
 import { signal } from "@preact/signals-core";
 import { expect, test, vi } from "vitest";
 import type { Held } from "../../src/setup/release";
-import { apart } from "../../src/transport/marks";
-import { unlessHeld } from "../../src/transport/transport";
+import { apart, unlessHeld } from "../../src/transport/transport";
 
 test("of overlapping marks only the more important one remains", () => {
   const collisions = [0.05, 0.0501, 0.5];

@@ -2,9 +2,8 @@
 
 import { beforeAll, describe, expect, test } from "vitest";
 import type { Core } from "../../src/core/core";
-import { fadeOf, gapOf, magnification } from "../../src/scene/gap";
-import { formatSmall } from "../../src/scene/lengths";
-import { Path } from "../../src/scene/unrolled";
+import { fadeOf, gapOf, magnification, Path } from "../../src/scene/closeup";
+import { formatSmall } from "../../src/scene/measures";
 import { simulationInput } from "../../src/setup/simulation_input";
 import type { Setup } from "../../src/setup/setup";
 import { loadCore } from "../given/core";

@@ -1,8 +1,8 @@
 // The models of the bodies, with the base at z = 0, the axis along z, and lengths in metres.
 
 import {
-  CircleGeometry,
   type BufferGeometry,
+  CircleGeometry,
   Group,
   type Material,
   Mesh,
@@ -13,10 +13,16 @@ import {
 import type { Preset } from "../../core/core";
 import type { Setup } from "../../setup/setup";
 import { batteryPrint, beerLabel, coinFace, diskFace, ringPrint, sodaPrint, tinLabel } from "./art";
-import { markOn } from "./mark";
-import { ownBody, plainBody } from "./own";
-import { type Outline, arc, revolved } from "./revolved";
-import { type Size, sizeOf } from "./shapes";
+import {
+  arc,
+  markOn,
+  type Outline,
+  ownBody,
+  plainBody,
+  revolved,
+  type Size,
+  sizeOf,
+} from "./shapes";
 
 export function pictureOf(setup: Readonly<Setup>): Group {
   const size = sizeOf(setup);
