@@ -9,7 +9,6 @@ import {
   Mesh,
   MeshBasicMaterial,
   type MeshStandardMaterial,
-  type PerspectiveCamera,
   RingGeometry,
   Vector3,
 } from "three";
@@ -24,7 +23,8 @@ import type { Labels } from "../scene/labels";
 import type { Palette } from "../scene/palette";
 import { type Footing, footingOf, poseOf, type Rim, setPose, standingSpot } from "../scene/pose";
 import { PIXEL, Ribbon, type Stroke } from "../scene/ribbon";
-import { Shade } from "../scene/shade";
+import { Shade } from "../scene/body";
+import type { Instant, Layer } from "../scene/instant";
 import { say, words } from "../words/words";
 
 /** Opacity of a ghost, and the part of its colour that is not the body's own. */
@@ -34,7 +34,7 @@ const [DASH, ARC, MOST] = [0.035, 0.91, 3000];
 /** Points of a ribbon for each stroke; those with a width are the third and the fourth. */
 const PER_STROKE = 6;
 
-export class Ghost {
+export class Ghost implements Layer {
   readonly group = new Group();
   private readonly trail = new Ribbon(3);
   private readonly turn = new Ribbon(2.6);
@@ -93,8 +93,8 @@ export class Ghost {
     return this.layout.offset;
   }
 
-  /** Shows B at the time shown; `seeThrough` if A is transparent, so that a second such body would confuse. */
-  show(camera: PerspectiveCamera, seeThrough: boolean): void {
+  /** Shows B at the time shown. If A is transparent, a second such body would confuse. */
+  update({ camera, seeThrough }: Instant): void {
     const { lab, labels, labelIds } = this;
     const setup = lab.otherSetup.peek();
     const outcome = lab.other.outcome.peek();

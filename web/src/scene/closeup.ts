@@ -18,8 +18,10 @@ import {
 } from "three";
 import type { Lab, TurnProgress } from "../lab";
 import { MARK_COLOUR, MARK_PLACE } from "./bodies/shapes";
+import type { Instant, Layer } from "./instant";
+import type { Labels } from "./labels";
 import type { Palette } from "./palette";
-import type { Pose } from "./pose";
+import { lowestOf, type Pose } from "./pose";
 import { formatSmall } from "./measures";
 import { formatNumber } from "../format";
 import { say, words } from "../words/words";
@@ -32,27 +34,11 @@ export const MARKS = 24;
 const [MARK, POST] = [0.028, 0.011];
 const SPACING = (2 * Math.PI) / MARKS;
 
-/** What the closeup draws, in m and rad. */
-export interface Near {
-  pose: Pose;
-  /** Radius of the rim. */
-  radius: number;
-  /** Smallest tilt of the turn that is shown; undefined if it has none. */
-  minTilt: number | undefined;
-  /** The pose as a matrix of the stage, and units of the stage per metre. */
-  placed: Matrix4;
-  scale: number;
-}
-
-/** A label at the highest point of the magnified rim. */
-export interface GapLabel {
-  text: string;
-  spot: Vector3;
-}
-
-export class Closeup {
+export class Closeup implements Layer {
   readonly group = new Group();
-  readonly unrolled: Unrolled;
+  private readonly unrolled: Unrolled;
+  /** A label at the highest point of the magnified rim. */
+  private readonly label: number;
   private readonly marks = new InstancedMesh(
     new SphereGeometry(1, 12, 8),
     new MeshBasicMaterial({ toneMapped: false }),
@@ -66,11 +52,15 @@ export class Closeup {
   private readonly rim = new Mesh(new TorusGeometry(1, 0.011, 8, 144), flat(1));
   private readonly base = new Mesh(new CircleGeometry(1, 96), flat(0.16));
   private readonly magnified = new Group();
-  private readonly label: GapLabel = { text: "", spot: new Vector3() };
   private readonly matrix = new Matrix4();
   private readonly spot = new Vector3();
 
-  constructor(lab: Lab, stage: HTMLElement) {
+  constructor(
+    lab: Lab,
+    stage: HTMLElement,
+    private readonly labels: Labels,
+  ) {
+    this.label = labels.add("gap");
     this.unrolled = new Unrolled(lab);
     stage.append(this.unrolled.element);
     for (const mesh of [this.rim, this.base]) mesh.matrixAutoUpdate = false;
@@ -93,22 +83,30 @@ export class Closeup {
     this.base.material.color.set(rolling);
   }
 
-  hide(): void {
-    this.group.visible = this.unrolled.element.hidden = false;
-    this.unrolled.element.hidden = true;
+  update(instant: Instant): void {
+    if (instant.seeThrough) this.show(instant);
+    else this.hide();
+    this.labels.strip = this.unrolled.taken;
   }
 
-  /** Places everything; returns a label, with an empty text where the gap is too wide to be magnified. */
-  show(near: Near, progress: TurnProgress | undefined): Readonly<GapLabel> {
-    const { pose, radius, placed, scale } = near;
+  private hide(): void {
+    this.group.visible = false;
+    this.unrolled.element.hidden = true;
+    this.labels.set(this.label, "", 0, 0);
+  }
+
+  private show({ placed, pose, progress, reach, rim, simulated }: Instant): void {
+    const { radius } = rim;
     this.group.visible = true;
     this.unrolled.show(progress, radius);
-    const times = magnification(near.minTilt, radius);
-    const fade = fadeOf(times * gapOf(pose, radius), radius);
+    const lowest = progress && lowestOf(simulated?.motion, progress.start, progress.turn);
+    const times = magnification(lowest?.tilt, radius);
+    const gap = gapOf(pose, radius);
+    const fade = fadeOf(times * gap, radius);
     this.magnified.visible = fade > 0;
     this.rim.material.opacity = this.posts.material.opacity = fade;
     this.base.material.opacity = 0.16 * fade;
-    const size = radius * scale;
+    const size = radius / reach;
     for (let k = 0; k < MARKS; k++) {
       const angle = MARK_PLACE + k * SPACING;
       const { x, y, z } = this.spot
@@ -125,13 +123,14 @@ export class Closeup {
     const { x, y, z } = this.spot
       .set(Math.cos(pose.yaw), Math.sin(pose.yaw), 0)
       .multiplyScalar(size * Math.cos(pose.tilt));
-    this.label.spot.set(
-      pose.x * scale + x,
-      pose.y * scale + y,
-      z + times * gapOf(pose, radius) * scale + 0.14 * size,
+    // Where the gap is too wide to be magnified, it has no label.
+    this.labels.set(
+      this.label,
+      fade > 0.5 ? labelOf(gap, times) : "",
+      pose.x / reach + x,
+      pose.y / reach + y,
+      z + (times * gap) / reach + 0.14 * size,
     );
-    this.label.text = fade > 0.5 ? labelOf(gapOf(pose, radius), times) : "";
-    return this.label;
   }
 
   /** Stretches the heights of the rim and the base over the table. */

@@ -3,6 +3,7 @@
 
 import { CircleGeometry, Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial } from "three";
 import type { Flick } from "../falls/flicks";
+import type { Instant, Layer } from "./instant";
 import type { Palette } from "./palette";
 import { Ribbon } from "./ribbon";
 import { type Limit, limitStrokes } from "./turn";
@@ -12,12 +13,14 @@ const [RING, DOT, HIGHEST] = [1.07, 0.02, 0.4];
 /** Inner radius of a hollow dot and radius of a small one, in radii of a dot. */
 const [HOLLOW, OTHER] = [0.62, 0.6];
 
-export class Dots {
+export class Dots implements Layer {
   readonly group = new Group();
   private readonly ring = new Ribbon(1.5, 0.5);
   private readonly marks = new Ribbon(2.5);
   /** The dots, and inside each a smaller one of the same colour or of the background. */
   private meshes: InstancedMesh[] = [];
+  private palette: Palette | undefined;
+  private laid: readonly Flick[] | undefined;
 
   constructor() {
     this.group.position.z = 0.003;
@@ -25,8 +28,34 @@ export class Dots {
     this.group.add(this.ring.mesh, this.marks.mesh);
   }
 
+  paint(palette: Palette): void {
+    this.palette = palette;
+    this.laid = undefined;
+  }
+
+  update({ lab, setup }: Instant): void {
+    const { palette } = this;
+    const flicks = lab.flicks.peek();
+    if (palette && flicks !== this.laid) {
+      this.laid = flicks;
+      const theory = lab.theory.peek();
+      const limits = theory && [
+        { angle: theory.noSlip, color: palette.rolling, name: "" },
+        { angle: theory.frictionless, color: palette.sliding, name: "" },
+      ];
+      this.lay(flicks, (setup.yaw * Math.PI) / 180 + Math.PI, limits ?? [], palette);
+    }
+    for (const mesh of this.meshes)
+      mesh.count = Math.min(lab.flicksShown.peek() ?? 0, mesh.instanceMatrix.count);
+  }
+
   /** Lays out a dot for each flick; `start` is the azimuth (rad) of the first lean. */
-  lay(flicks: readonly Flick[], start: number, limits: readonly Limit[], palette: Palette): void {
+  private lay(
+    flicks: readonly Flick[],
+    start: number,
+    limits: readonly Limit[],
+    palette: Palette,
+  ): void {
     for (const mesh of this.meshes) {
       this.group.remove(mesh);
       mesh.geometry.dispose();
@@ -60,11 +89,6 @@ export class Dots {
     });
     this.meshes = [outer, inner];
     this.group.add(outer, inner);
-  }
-
-  /** Shows the first dots. */
-  show(count: number): void {
-    for (const mesh of this.meshes) mesh.count = Math.min(count, mesh.instanceMatrix.count);
   }
 
   private layRing(limits: readonly Limit[], { muted }: Palette): void {

@@ -23,6 +23,8 @@ interface Label {
 }
 
 export class Labels {
+  /** Height of a strip at the bottom of the picture that stays free, px. */
+  strip = 0;
   private readonly labels: Label[] = [];
   private readonly projected = new Vector3();
 
@@ -69,14 +71,13 @@ export class Labels {
   }
 
   /** Places all labels on a picture, earlier ones first, without overlaps and beside a body that
-   * would be hidden. A strip at the bottom of the picture (px) stays free. */
+   * would be hidden. */
   arrange(
     camera: Camera,
     { width, height }: Readonly<{ width: number; height: number }>,
-    strip: number,
     body: Outline | undefined,
   ): void {
-    const bottom = height - Math.max(strip, MARGIN);
+    const bottom = height - Math.max(this.strip, MARGIN);
     for (const label of this.labels) {
       if (!label.shown) continue;
       if (label.width === 0) {

@@ -98,7 +98,7 @@ export class Ruler {
   readonly group = new Group();
   private readonly drawing = new FlatDrawing(LENGTH, WIDTH, 2048);
   private readonly material = new MeshStandardMaterial({ roughness: 0.55 });
-  private lastLook = "";
+  private reach = NaN;
 
   constructor() {
     const block = new Mesh(new BoxGeometry(LENGTH, WIDTH, THICK), this.material);
@@ -110,12 +110,14 @@ export class Ruler {
     this.group.position.set(0, -1.27, 0);
   }
 
+  paint({ dark }: Palette): void {
+    this.material.color.set(dark ? "#b08a52" : "#f3d9a4");
+  }
+
   /** `reach` is the radius of the circle of degrees, m. */
-  measure(reach: number, palette: Palette): void {
-    this.material.color.set(palette.dark ? "#b08a52" : "#f3d9a4");
-    const look = `${reach} ${palette.dark}`;
-    if (look === this.lastLook) return;
-    this.lastLook = look;
+  measure(reach: number): void {
+    if (reach === this.reach) return;
+    this.reach = reach;
     this.drawing.draw((pen, pixels) => ticks(pen, pixels, reach * LENGTH));
   }
 }

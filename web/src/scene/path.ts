@@ -1,14 +1,76 @@
 // The contact point on the table: its path up to the time shown, the point itself, and the velocity with which it slips.
 
-import { CircleGeometry, Color, Group, Mesh, MeshBasicMaterial } from "three";
+import { CircleGeometry, Color, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import type { Moment, Motion } from "../core/motion";
+import type { Instant, Layer } from "./instant";
 import type { Palette } from "./palette";
 import type { Spot } from "./pose";
 import { PIXEL, Ribbon } from "./ribbon";
 
+export class PathLayer implements Layer {
+  readonly group = new Group();
+  private readonly trail = new Trail();
+  private readonly contact = new Contact();
+  private readonly slip = new Slip();
+  private palette: Palette | undefined;
+  private followed: Motion | undefined;
+  private readonly spot = new Vector3();
+
+  constructor() {
+    this.group.add(this.trail.mesh, this.slip.mesh, this.contact.group);
+  }
+
+  paint(palette: Palette): void {
+    this.palette = palette;
+    this.slip.paint(palette);
+    this.followed = undefined;
+  }
+
+  update(instant: Instant): void {
+    const { contact, moment, reach, simulated } = instant;
+    if (!this.palette) return;
+    if (simulated && simulated.motion !== this.followed) {
+      this.followed = simulated.motion;
+      const { shift } = instant.footing;
+      this.trail.follow(simulated.motion, shift, reach / 2500, 1 / reach, this.palette);
+    }
+    this.showTrail(instant);
+    this.spot.set(contact.x / reach, contact.y / reach, 0);
+    // √(gR)
+    const { gravity } = simulated?.input.options ?? { gravity: 1 };
+    this.slip.show(this.spot, moment, Math.sqrt(gravity * instant.rim.radius));
+    this.showContact(instant, this.palette);
+  }
+
+  private showTrail({ lab, progress, simulated }: Instant): void {
+    this.trail.mesh.visible = simulated !== undefined && progress !== undefined;
+    if (!simulated || !progress) return;
+    const before = simulated.motion.turns.findLast((turn) => turn.end <= progress.start);
+    this.trail.show(lab.clock.time.peek(), progress.start, before?.start ?? 0);
+  }
+
+  private showContact(instant: Instant, palette: Palette): void {
+    const { camera, contact, moment, pose, rim, simulated } = instant;
+    const { position, quaternion } = camera;
+    const phases = moment && simulated?.motion.phases;
+    const kind = phases?.findLast(({ start }) => start <= (moment?.t ?? 0))?.kind;
+    const color = kind === "sliding" || kind === "flying" ? palette[kind] : palette.rolling;
+    // The contact point is on the near side if the body leans toward the camera.
+    const [ex, ey] = [position.x - this.spot.x, position.y - this.spot.y];
+    const flat = Math.hypot(ex, ey);
+    const toward = (contact.x - pose.x) * ex + (contact.y - pose.y) * ey;
+    const before = toward > -0.3 * rim.radius * flat && position.z < 3 * flat;
+    const near = before || position.z < 0 || instant.seeThrough;
+    this.contact.group.quaternion.copy(quaternion);
+    const isLevel = kind === "standing" || kind === "sliding_flat" || kind === "flying_level";
+    this.contact.group.visible = !isLevel;
+    this.contact.show(this.spot.x, this.spot.y, color, position.distanceTo(this.spot), near);
+  }
+}
+
 const at = (array: Float64Array, index: number) => array[index] as number;
 
-export class Trail {
+class Trail {
   private readonly ribbon = new Ribbon(3.4, 0.95);
   private times = new Float64Array(0);
 
@@ -81,7 +143,7 @@ export class Trail {
 
 // The contact point: a bright dot with a constant size on the screen, faintly visible through the body.
 
-export class Contact {
+class Contact {
   readonly group = new Group();
   private readonly core = new MeshBasicMaterial({ toneMapped: false, transparent: true });
   private readonly halo = new MeshBasicMaterial({
@@ -126,7 +188,7 @@ const [LENGTH, LONGEST] = [0.5, 0.75];
 /** Smallest speed with an arrow, over √(gR). */
 const SLOWEST = 0.01;
 
-export class Slip {
+class Slip {
   private readonly ribbon = new Ribbon(3.2);
   private color = "";
 

@@ -5,8 +5,8 @@ import {
   BoxGeometry,
   Mesh,
   MeshStandardMaterial,
+  type Object3D,
   type PerspectiveCamera,
-  type Scene,
   type Texture,
 } from "three";
 import type { Displacement, InPicture } from "../floor/shaking";
@@ -27,9 +27,9 @@ export class ShakenTable {
 
   constructor(
     private readonly table: Table,
-    scene: Scene,
+    place: Object3D,
   ) {
-    scene.add(...this.meshes);
+    place.add(...this.meshes);
     this.room.mesh.renderOrder = -20;
     this.hide();
   }

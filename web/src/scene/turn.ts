@@ -9,8 +9,20 @@ import {
   Group,
   Mesh,
   MeshBasicMaterial,
+  Vector3,
 } from "three";
+import type { Theory } from "../core/core";
+import type { Motion } from "../core/motion";
+import { formatDegrees } from "../format";
+import { bodyAngleAlongContact, type TurnProgress } from "../lab";
+import { say, words } from "../words/words";
+import { MARK_FACES, markPlace } from "./bodies/shapes";
+import type { BodyLayer } from "./body";
+import type { Instant, Layer } from "./instant";
+import type { Labels } from "./labels";
+import { Protractor } from "./measures";
 import type { Palette } from "./palette";
+import { type Spot, standingSpot } from "./pose";
 import { Ribbon, type Stroke } from "./ribbon";
 
 const PIECES = 180;
@@ -27,7 +39,145 @@ export interface Limit {
   name: string;
 }
 
-export class Wedge {
+/** The contact point has begun to run when it has turned by this angle, rad. */
+const RUNS = 0.1;
+/** Height of the label of the guess above the table, in radii of the circle of degrees. */
+const SIGNPOST = 0.24;
+
+export class TurnLayer implements Layer {
+  readonly group = new Group();
+  private readonly protractor = new Protractor();
+  private readonly wedge = new Wedge();
+  private readonly guess = new Guess();
+  private readonly ids: Record<"turned" | "guess" | "theory" | "other" | "itself", number>;
+  private palette: Palette | undefined;
+  private limits: readonly Limit[] = [];
+  private followed: Motion | undefined;
+  /** The middle of the turn that starts at a time (s), on the stage. */
+  private centre: Spot & { of: number } = { x: 0, y: 0, of: NaN };
+  private readonly spot = new Vector3();
+  private readonly faces = new Vector3();
+
+  constructor(
+    private readonly labels: Labels,
+    private readonly body: BodyLayer,
+  ) {
+    this.ids = {
+      turned: labels.add("turned", true),
+      guess: labels.add("guess", true),
+      theory: labels.add("theory"),
+      other: labels.add("theory"),
+      itself: labels.add("itself"),
+    };
+    this.group.add(this.protractor.mesh, this.wedge.group, this.guess.mesh);
+  }
+
+  paint(palette: Palette): void {
+    this.palette = palette;
+    this.wedge.repaint(palette);
+    this.followed = undefined;
+  }
+
+  update(instant: Instant): void {
+    const { progress, simulated } = instant;
+    const { palette } = this;
+    if (!palette) return;
+    if (simulated && simulated.motion !== this.followed) {
+      this.followed = simulated.motion;
+      this.centre.of = NaN;
+      this.limits = limitsOf(simulated.theory, palette);
+      this.wedge.mark(this.limits, 0.6);
+    }
+    const { guess } = instant.lab.marks.peek();
+    this.wedge.group.visible = progress !== undefined && simulated !== undefined;
+    this.guess.mesh.visible = this.wedge.group.visible && guess !== undefined;
+    if (progress && simulated) this.show(instant, simulated.motion, progress, palette);
+    else this.clear(instant, palette);
+  }
+
+  /** Only the circle of degrees remains. */
+  private clear({ lab, setup }: Instant, palette: Palette): void {
+    const { yaw } = lab.held.peek() ?? { yaw: (setup.yaw * Math.PI) / 180 };
+    this.protractor.lay(0, 0, yaw + Math.PI, true, palette);
+    for (const index of Object.values(this.ids)) this.labels.set(index, "", 0, 0);
+  }
+
+  private show(instant: Instant, motion: Motion, progress: TurnProgress, palette: Palette): void {
+    const { ids, labels } = this;
+    const { guess, theory } = instant.lab.marks.peek();
+    const { x, y } = this.centreOf(instant, motion, progress);
+    const zero = progress.startYaw + Math.PI;
+    const sense = Math.sign(progress.turn?.angle ?? progress.angle) || 1;
+    this.wedge.show(x, y, zero, progress.angle);
+    this.protractor.lay(x, y, zero, sense > 0, palette);
+    const label = (index: number, text: string, angle: number, far: number, high = 0) => {
+      const [wx, wy] = [x + far * Math.cos(zero + angle), y + far * Math.sin(zero + angle)];
+      labels.set(index, text, wx, wy, high);
+      labels.dim(index, this.body.hides(wx, wy, instant.camera));
+    };
+    label(ids.turned, turnedInWords(instant, progress), progress.angle / 2, 1.13);
+    this.labelBody(instant, progress);
+    // Outside the dots of the flicks, if there are any.
+    const far = instant.lab.flicksShown.peek() === undefined ? 1.2 : 1.6;
+    const [first, second] = theory ? this.limits : [];
+    const limit = (index: number, one: Limit | undefined) =>
+      label(
+        index,
+        one ? `${one.name} ${formatDegrees(one.angle, 1)}` : "",
+        sense * (one?.angle ?? 0),
+        far,
+      );
+    limit(ids.theory, first);
+    limit(ids.other, second);
+    this.wedge.showLimits(theory);
+    if (guess === undefined) return labels.set(ids.guess, "", 0, 0);
+    this.guess.show(x, y, zero + sense * guess, palette.ink);
+    // The label is above the line, as on a signpost.
+    const text = say(words.scene.guess, { angle: formatDegrees(guess, 0) });
+    label(ids.guess, text, sense * guess, 1.2, SIGNPOST);
+  }
+
+  /** Shows the rotation of the body itself, at the mark on it. Before a guess is answered, one label is enough. */
+  private labelBody({ camera, lab, placed, setup, size }: Instant, progress: TurnProgress): void {
+    const { ids, labels, spot } = this;
+    if (lab.marks.peek().guess !== undefined) return labels.set(ids.itself, "", 0, 0);
+    const { x, y, z } = spot.copy(markPlace(size)).applyMatrix4(placed);
+    const angle = formatDegrees(bodyAngleAlongContact(progress), 1);
+    labels.set(ids.itself, say(words.scene.itself, { ...words.nouns[setup.body], angle }), x, y, z);
+    const away = spot.sub(camera.position);
+    const faces = this.faces.copy(MARK_FACES).transformDirection(placed);
+    labels.dim(ids.itself, faces.dot(away) > 0);
+  }
+
+  /** The centre of the base at the smallest tilt of this turn, about which the contact point runs. */
+  private centreOf({ footing, reach, rim }: Instant, motion: Motion, progress: TurnProgress): Spot {
+    const { start } = progress;
+    if (this.centre.of === start) return this.centre;
+    const flat = standingSpot(motion, progress, rim, footing);
+    this.centre = { x: flat.x / reach, y: flat.y / reach, of: start };
+    return this.centre;
+  }
+}
+
+function turnedInWords({ lab }: Instant, { angle }: TurnProgress): string {
+  // Before the contact point runs, the visitor who guesses need not know that there is one.
+  if (lab.marks.peek().guess !== undefined && Math.abs(angle) < RUNS) return "";
+  const text = say(words.scene.ranRound, { angle: formatDegrees(Math.abs(angle), 1) });
+  const comparing = lab.otherSetup.peek() !== undefined;
+  return comparing ? say(words.compare.label, { which: "A", text }) : text;
+}
+
+/** The limiting turn on this table, or those of both ideal laws if it has none. */
+function limitsOf({ here, noSlip, frictionless }: Theory, palette: Palette): Limit[] {
+  if (!Number.isNaN(here))
+    return [{ angle: here, color: palette.theory, name: words.scene.theory }];
+  return [
+    { angle: noSlip, color: palette.rolling, name: words.scene.noSlip },
+    { angle: frictionless, color: palette.sliding, name: words.scene.frictionless },
+  ].filter(({ angle }) => !Number.isNaN(angle));
+}
+
+class Wedge {
   readonly group = new Group();
   private readonly fill: Mesh<BufferGeometry, MeshBasicMaterial>;
   private readonly edge = new Ribbon(3);
@@ -112,7 +262,7 @@ export const limitStrokes = (limits: readonly Limit[], inner: number, outer: num
 
 // A visitor's guess of where the body comes up: a line on the table.
 
-export class Guess {
+class Guess {
   private readonly line = new Ribbon(5);
   readonly mesh = this.line.mesh;
 
