@@ -1,10 +1,35 @@
-// The one control of a scene.
+// Controls of the scenes: sliders, and buttons one of which is pressed.
 
 import { button, element } from "../elements";
 import type { Setup } from "../setup/setup";
 import type { Choice, Quantity } from "./scenes";
 
-export interface Control {
+/** A slider with its name and what it says of its place. */
+export interface Field {
+  root: HTMLElement;
+  input: HTMLInputElement;
+  write(text: string): void;
+}
+
+export function field(
+  id: string,
+  label: string,
+  bounds: Record<"min" | "max" | "step" | "value", number>,
+): Field {
+  const input = element("input", { type: "range", id: `${id}-control`, ...bounds });
+  const output = element("output", { for: input.id });
+  const named = element("label", { for: input.id }, label);
+  return {
+    root: element("div", { class: "control" }, named, output, input),
+    input,
+    write(text) {
+      output.textContent = text;
+      input.setAttribute("aria-valuetext", text);
+    },
+  };
+}
+
+export interface Slider {
   root: HTMLElement;
   /** The part of the set-up that is chosen. */
   setup(): Partial<Setup>;
@@ -15,38 +40,26 @@ export interface Control {
 /** Steps of a logarithmic slider. */
 const STEPS = 100;
 
-/** A slider; `changed` is called after each change. */
-export function slider(quantity: Quantity, id: string, changed: () => void): Control {
+/** A slider for a quantity; `changed` is called after each change. */
+export function slider(quantity: Quantity, id: string, changed: () => void): Slider {
   const { label, low, high, step, initial, logarithmic = false, marks } = quantity;
   const bounds = logarithmic
     ? { min: 0, max: STEPS, step: 1, value: Math.round(STEPS * partOf(quantity, initial)) }
     : { min: low, max: high, step, value: initial };
-  const input = element("input", { type: "range", id: `${id}-control`, ...bounds });
-  const output = element("output", { for: input.id });
+  const { root, input, write } = field(id, label, bounds);
   const value = () =>
     logarithmic ? low * (high / low) ** (Number(input.value) / STEPS) : Number(input.value);
-  const write = () => {
-    output.textContent = quantity.words(value());
-    input.setAttribute("aria-valuetext", output.textContent);
-  };
-  input.addEventListener("input", () => {
-    write();
+  const moved = () => {
+    write(quantity.words(value()));
     changed();
-  });
-  write();
-  const root = element(
-    "div",
-    { class: "control" },
-    element("label", { for: input.id }, label),
-    output,
-    input,
-  );
+  };
+  input.addEventListener("input", moved);
+  write(quantity.words(value()));
   if (marks) {
     const named = Object.entries(marks).map(([name, at]) => {
       const mark = button(name, () => {
         input.value = String(at);
-        write();
-        changed();
+        moved();
       });
       mark.style.setProperty("--part", String(partOf(quantity, at)));
       return mark;
@@ -61,7 +74,10 @@ export function slider(quantity: Quantity, id: string, changed: () => void): Con
 }
 
 /** Buttons, one of which is pressed. */
-export function choice({ label, options }: Choice, changed: () => void): Control {
+export function choice(
+  { label, options }: Choice,
+  changed: () => void,
+): { root: HTMLElement; setup(): Partial<Setup> } {
   let chosen = options[0];
   const buttons = options.map((option) =>
     button(option.name, () => {
@@ -73,15 +89,8 @@ export function choice({ label, options }: Choice, changed: () => void): Control
   const press = () =>
     buttons.forEach((one, k) => one.setAttribute("aria-pressed", String(options[k] === chosen)));
   press();
-  return {
-    root: element(
-      "div",
-      { class: "control choice", role: "group", "aria-label": label },
-      ...buttons,
-    ),
-    setup: () => chosen?.setup ?? {},
-    part: () => 0,
-  };
+  const named = { class: "control choice", role: "group", "aria-label": label };
+  return { root: element("div", named, ...buttons), setup: () => chosen?.setup ?? {} };
 }
 
 /** Values of a slider from one end to the other. */

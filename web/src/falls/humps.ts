@@ -6,7 +6,7 @@ import { MEASURED, type Tally, tallyOf } from "./tally";
 import { formatFixed } from "../format";
 import { say, sentences, words } from "../words/words";
 import { computed, effect } from "@preact/signals-core";
-import { element } from "../elements";
+import { element, svgElement } from "../elements";
 import { flickSummary } from "./shown";
 import type { Lab } from "../lab";
 
@@ -168,38 +168,37 @@ export function binned(turns: readonly number[], { from, to, width }: Bins): Cou
   return { below, bins, above };
 }
 
-// A straight histogram of the falls, for the steps of the story that flick the body.
-
-/** The histogram, hidden unless the current step wants it; `wanted` reads signals. */
-export function fallsOf(lab: Lab, wanted: () => boolean): HTMLElement {
-  const figure = element("figure", { class: "falls" });
-  figure.innerHTML = `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img"></svg><figcaption></figcaption>`;
-  const picture = figure.querySelector("svg") as SVGElement;
-  const caption = figure.querySelector("figcaption") as HTMLElement;
+/** The histogram of the flicks that are shown, with a caption. It is kept up to date while `isShown`, which reads
+ * signals. */
+export function fallsOf(lab: Lab, isShown: () => boolean): HTMLElement {
+  const picture = svgElement("svg", {
+    viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+    role: "img",
+    "aria-label": words.flicks.title, // until it is shown
+  });
+  const caption = element("p", { class: "caption" });
   // The range covers all falls, so that the axis does not move while they appear.
   const bins = computed(() => {
     const { left, right } = tallyOf(lab.flicks.value);
     return binsFor(lab.theory.value, [...left.turns, ...right.turns]);
   });
   effect(() => {
-    figure.hidden = !wanted();
-    if (figure.hidden) return;
+    if (!isShown()) return;
     const theory = lab.theory.value;
     const measured = lab.setup.value.body === "can_2007";
     const tally = tallyOf(lab.flicks.value.slice(0, lab.flicksShown.value ?? 0));
     picture.innerHTML = humps({ tally, theory, bins: bins.value, measured });
-    const { from, to, width } = bins.value;
+    const [from, to, width] = [bins.value.from, bins.value.to, bins.value.width].map(
+      (degrees) => `${degrees}°`,
+    ) as [string, string, string];
     picture.setAttribute(
       "aria-label",
-      sentences(
-        say(words.story.histogram, { from: `${from}°`, to: `${to}°`, width: `${width}°` }),
-        flickSummary(lab),
-      ),
+      sentences(say(words.story.histogram, { from, to, width }), flickSummary(lab)),
     );
     caption.textContent = sentences(
-      say(words.story.caption, { width: `${width}°` }),
+      say(words.story.caption, { width }),
       measured ? words.story.measured : "",
     );
   });
-  return figure;
+  return element("div", { class: "falls" }, picture as unknown as HTMLElement, caption);
 }

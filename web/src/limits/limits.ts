@@ -1,6 +1,7 @@
 // The limits of the model in words, with the numbers of a motion.
 
 import { formatDuration, formatLengthShort, formatSpeed, formatWide } from "../format";
+import { element } from "../elements";
 import type { Motion, Validity } from "../core/motion";
 import { say, words } from "../words/words";
 
@@ -13,6 +14,16 @@ export interface Limit {
   /** Whether the model leaves out something that matters here. */
   exceeded: boolean;
 }
+
+/** A limit as an entry of a list. */
+export const entryOf = ({ name, here, means, exceeded }: Limit): HTMLElement =>
+  element(
+    "div",
+    { class: exceeded ? "exceeded" : "held" },
+    element("dt", {}, name),
+    element("dd", { class: "here" }, here),
+    element("dd", { class: "means" }, means),
+  );
 
 export function limitsOf(validity: Validity): Limit[] {
   return [gap, speed, rigid, force, losses].map((limit) => limit(validity));

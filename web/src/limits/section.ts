@@ -5,7 +5,7 @@ import { element } from "../elements";
 import type { Lab } from "../lab";
 import { type Passage, shownPassage } from "../verdict/passage";
 import "./limits.css";
-import { limitsOf, touching } from "./limits";
+import { entryOf, limitsOf, touching } from "./limits";
 import { say, words } from "../words/words";
 import { formatDegrees, formatDuration } from "../format";
 
@@ -24,17 +24,7 @@ export function mountLimits(lab: Lab, place: HTMLElement): void {
   );
   effect(() => {
     none.hidden = limits.value.length > 0;
-    list.replaceChildren(
-      ...limits.value.map(({ name, here, means, exceeded }) =>
-        element(
-          "div",
-          { class: exceeded ? "exceeded" : "held" },
-          element("dt", {}, name),
-          element("dd", { class: "here" }, here),
-          element("dd", { class: "means" }, means),
-        ),
-      ),
-    );
+    list.replaceChildren(...limits.value.map(entryOf));
   });
 }
 

@@ -24,10 +24,15 @@ export function mountStory(lab: Lab, place: HTMLElement): void {
   const step = () => STEPS[at.value] as Step;
   // With reduced motion nothing plays until the visitor presses the button.
   const go = (by: 1 | -1) => goToStep(lab, at.value + by, !prefersReducedMotion());
-  part(".row").before(fallsOf(lab, () => step().shows === "flicks"));
+  const flicks = () => step().shows === "flicks";
+  const falls = fallsOf(lab, flicks);
+  part(".row").before(falls);
   part(".back").addEventListener("click", () => go(-1));
   part(".show").addEventListener("click", () => showStep(lab, step(), true));
   part(".next").addEventListener("click", () => go(1));
+  effect(() => {
+    falls.hidden = !flicks();
+  });
   effect(() => {
     const { title, text, formula = "", symbols = "" } = step();
     part(".formula").innerHTML = formula;
