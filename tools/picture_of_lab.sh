@@ -3,7 +3,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-tools/test_page.sh --project browser picture
+tools/test_page.sh --project drawn picture -t "just after the near-collision"
 .venv/bin/python - <<'END'
 from PIL import Image
 

@@ -6,6 +6,7 @@ import { messages } from "./messages";
 import { offline } from "./offline";
 import { preview } from "./preview";
 import { smallShaders } from "./shaders";
+import { Retries } from "./tests/given/retries";
 
 const FOLDER = "../python/rimroll/page";
 
@@ -36,11 +37,10 @@ export default defineConfig(({ mode }) => ({
         ]),
   ],
   test: {
-    // Run one browser at a time, because drawing in software uses all processors.
-    fileParallelism: false,
     // Long limits for a busy machine; a passing test does not wait for them.
     testTimeout: 180_000,
     hookTimeout: 180_000,
+    reporters: ["default", new Retries()],
     projects: [
       { extends: true, test: { name: "modules", include: ["tests/modules/**/*.test.ts"] } },
       {
@@ -48,8 +48,21 @@ export default defineConfig(({ mode }) => ({
         test: {
           name: "browser",
           include: ["tests/browser/**/*.test.ts"],
-          // Drawing in software on a busy machine may be too slow once; a test must not fail three times.
-          retry: 2,
+          retry: 1,
+          maxWorkers: 2,
+          sequence: { groupOrder: 1 },
+        },
+      },
+      {
+        extends: true,
+        test: {
+          name: "drawn",
+          include: ["tests/drawn/**/*.test.ts"],
+          // Drawing in software on a busy machine may be too slow once.
+          retry: 1,
+          // One browser at a time, because drawing in software uses all processors.
+          maxWorkers: 1,
+          sequence: { groupOrder: 2 },
         },
       },
     ],

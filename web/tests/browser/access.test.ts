@@ -2,9 +2,8 @@
 
 import type { ElementHandle, Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
-import { violations } from "./axe";
-import { first } from "../given/soak";
-import { browserForAll, visit } from "./visit";
+import { violations } from "../given/axe";
+import { browserForAll, visit } from "../given/visit";
 
 browserForAll();
 
@@ -268,41 +267,6 @@ async function focused() {
   return { which: which === undefined ? undefined : Number(which), name, marked: ringed, seen, by };
 }
 
-describe("the help on the table can be read to its end", () => {
-  const sizes = [
-    [360, 740],
-    [1000, 640],
-    [1366, 768],
-  ] as const;
-  test.each(first(1, sizes))("at %i by %i", async (width, height) => {
-    const { page } = await visit({ viewport: { width, height }, webgl: true });
-    await page.locator(".table-help summary").press("Enter");
-    const box = page.locator(".table-help-box");
-    const edges = () =>
-      page.evaluate(() => {
-        const of = (selector: string) => document.querySelector(selector)!.getBoundingClientRect();
-        const [stage, help] = [of(".table-stage"), of(".table-help-box")];
-        const last = of(".table-help-box dd:last-child");
-        return { stage: [stage.left, stage.top, stage.right, stage.bottom], help, last };
-      });
-    const { stage, help } = await edges();
-    const [left, top, right, bottom] = stage as [number, number, number, number];
-    expect(help.left).toBeGreaterThanOrEqual(left);
-    expect(help.top).toBeGreaterThanOrEqual(top);
-    expect(help.right).toBeLessThanOrEqual(right);
-    expect(help.bottom).toBeLessThanOrEqual(bottom);
-    await box.press("End");
-    await page.waitForFunction(() => {
-      const box = document.querySelector(".table-help-box")!;
-      return box.scrollTop + box.clientHeight >= box.scrollHeight - 1;
-    });
-    const { last } = await edges();
-    expect(last.bottom).toBeLessThanOrEqual(help.bottom);
-    expect(last.top).toBeGreaterThanOrEqual(help.top);
-    expect(await violations(page)).toEqual([]);
-  });
-});
-
 describe("without WebGL", () => {
   test("the page says so, and the rest works", async () => {
     const visited = await visit({ webgl: false });
@@ -330,40 +294,5 @@ describe("with reduced motion nothing moves by itself", () => {
     const other = await visit({ hash: "tilt_rate=-5", reducedMotion: "no-preference" });
     expect(await summaryAtOnce(other.page)).toMatch(/^Flicking/);
     await other.page.getByText(/^Of 42 flicks/).waitFor();
-  });
-
-  /** Places of the labels before the view from above, in its first frame, and a second later. */
-  async function fromAbove(reducedMotion: "reduce" | "no-preference"): Promise<string[]> {
-    const { page } = await visit({
-      viewport: { width: 360, height: 740 },
-      webgl: true,
-      reducedMotion,
-    });
-    await page.waitForFunction(() => document.querySelector(".table-words .word:not([hidden])"));
-    // Wait until the first frames have been drawn, because they delay the next one.
-    await page.waitForTimeout(1000);
-    return page.evaluate(async () => {
-      const places = () =>
-        [...document.querySelectorAll<HTMLElement>(".table-words .word:not([hidden])")]
-          .map(({ style }) => style.transform)
-          .join();
-      const buttons = [...document.querySelectorAll("button")];
-      const before = places();
-      buttons.find(({ textContent }) => textContent === "From above")?.click();
-      await new Promise(requestAnimationFrame);
-      const first = places();
-      await new Promise((passed) => setTimeout(passed, 1000));
-      for (let k = 0; k < 2; k++) await new Promise(requestAnimationFrame);
-      return [before, first, places()];
-    });
-  }
-
-  test("the camera is above at once; otherwise it moves there smoothly", async () => {
-    const [usual, first, later] = await fromAbove("reduce");
-    expect(first).not.toBe(usual);
-    expect(later).toBe(first);
-    const [, setOut, arrived] = await fromAbove("no-preference");
-    expect(arrived).not.toBe(setOut);
-    expect(arrived).toBe(later);
   });
 });

@@ -1,8 +1,8 @@
 // Two motions at once: in the picture, in numbers, in the plots, in the address, on paper and in a small frame.
 
 import { expect, test } from "vitest";
-import { violations } from "./axe";
-import { browserForAll, visit } from "./visit";
+import { violations } from "../given/axe";
+import { browserForAll, visit } from "../given/visit";
 
 browserForAll();
 
@@ -71,45 +71,7 @@ test("the plots have both curves and say which is which", async () => {
   await entry.waitFor({ state: "hidden" });
 });
 
-test.each([
-  [360, 740, "dark"],
-  [1366, 768, "light"],
-] as const)("%i by %i, %s: the picture names both motions", async (width, height, colorScheme) => {
-  const { page, complaints } = await visit({
-    hash: PAIR,
-    viewport: { width, height },
-    colorScheme,
-    webgl: true,
-  });
-  const seen = (text: RegExp) =>
-    page.waitForFunction(
-      (text) =>
-        [...document.querySelectorAll<HTMLElement>(".table-words .word:not([hidden])")].some(
-          ({ style, textContent }) =>
-            style.visibility === "visible" && new RegExp(text).test(textContent),
-        ),
-      text.source,
-    );
-  await seen(/^A: contact ran round [\d.]+°$/);
-  await seen(/^B: contact ran round [\d.]+°$/);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(
-    width,
-  );
-  const table = (await page.locator("#compare table").boundingBox())!;
-  expect(table.width).toBeLessThanOrEqual(width);
-  expect(await violations(page)).toEqual([]);
-  expect(complaints).toEqual([]);
-});
-
-test("in a small frame a coin stands beside the can, and on paper the numbers stay", async () => {
-  const { page, complaints } = await visit({
-    hash: "embed&sideways=0.02&duration=1&with.body=coin&with.sideways=0.02&with.duration=1",
-    viewport: { width: 640, height: 360 },
-    webgl: true,
-  });
-  await page.getByText(/^B: coin, drawn 5\.6 × as large as A$/).waitFor();
-  expect(await page.locator("#compare").isVisible()).toBe(false);
-  expect(complaints).toEqual([]);
+test("on paper the numbers of a comparison stay, and its buttons do not", async () => {
   const paper = await visit({ hash: PAIR });
   await paper.page.emulateMedia({ media: "print" });
   expect(await paper.page.locator("#compare table").isVisible()).toBe(true);

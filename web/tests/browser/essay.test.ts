@@ -3,24 +3,14 @@
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
 import { SCENES } from "../../src/essay/scenes";
-import { violations } from "./axe";
-import { browserForAll, elsewhere, visit } from "./visit";
+import { violations } from "../given/axe";
+import { browserForAll, elsewhere, goTo, visit } from "../given/visit";
 
 browserForAll();
 
 const section = (page: Page, id: string) => page.locator(`#${id}`);
 const result = (page: Page, id: string) => section(page, id).locator(".result");
 const part = (page: Page) => page.evaluate(() => document.documentElement.dataset["part"]);
-
-/** Scrolls to a scene until it is alive. */
-async function goTo(page: Page, id: string): Promise<void> {
-  // A visitor who does something leaves the section that the address names.
-  await page.keyboard.press("Shift");
-  await section(page, id)
-    .locator(".place")
-    .evaluate((place) => place.scrollIntoView({ block: "center", behavior: "instant" }));
-  await section(page, id).locator(".table-stage").waitFor({ state: "attached" });
-}
 
 describe("on a telephone", () => {
   test.each([
@@ -52,30 +42,6 @@ describe("on a telephone", () => {
       expect(elsewhere(requests)).toEqual([]);
     },
   );
-
-  test("a finger that swipes over the picture scrolls, and sets nothing", async () => {
-    const { page } = await visit({
-      hash: "",
-      viewport: { width: 360, height: 740 },
-      hasTouch: true,
-      isMobile: true,
-      webgl: true,
-    });
-    const finger = await page.context().newCDPSession(page);
-    const touch = (type: "touchStart" | "touchMove" | "touchEnd", y = 0) =>
-      finger.send("Input.dispatchTouchEvent", {
-        type,
-        touchPoints: type === "touchEnd" ? [] : [{ x: 150, y }],
-      });
-    await page.waitForTimeout(1500); // until the first pictures are drawn
-    await touch("touchStart", 400);
-    for (let k = 1; k < 8; k++) await touch("touchMove", 400 - 25 * k);
-    await touch("touchEnd");
-    await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(40);
-    expect(await section(page, "question").locator(".in-lab").getAttribute("href")).not.toMatch(
-      /tilt=/,
-    );
-  });
 });
 
 test("one predicts, lets go, and reads how far beside the guess it came up", async () => {
@@ -187,32 +153,6 @@ test("old links open the lab, and the essay and the lab lead to each other", asy
   expect(new URL(page.url()).hash).toBe("#lab");
   expect(await page.locator("#tilt-field").inputValue()).toBe("20");
   expect(complaints).toEqual([]);
-});
-
-test("there is one graphics context, and none when the essay is left", async () => {
-  const { page, complaints } = await visit({
-    hash: "hand",
-    webgl: true,
-    reducedMotion: "reduce",
-    viewport: { width: 420, height: 420 },
-  });
-  const drawn = () => page.locator("#essay canvas[data-engine]").count();
-  await goTo(page, "friction");
-  expect(await drawn()).toBe(1);
-  // The scene that was left shows a still.
-  const still = section(page, "hand").locator(".still");
-  await expect.poll(() => still.evaluate((it: HTMLCanvasElement) => it.width)).toBeGreaterThan(100);
-  const opaque = await still.evaluate((it: HTMLCanvasElement) =>
-    it
-      .getContext("2d")!
-      .getImageData(0, 0, it.width, it.height)
-      .data.some((byte) => byte > 0),
-  );
-  expect(opaque).toBe(true);
-  await page.evaluate(() => (location.hash = "lab"));
-  await page.locator("#scene canvas[data-engine]").waitFor();
-  expect(await drawn()).toBe(0);
-  expect(complaints.filter((text) => !/Context Lost/i.test(text))).toEqual([]);
 });
 
 test("on a telephone the answer leads to the explanation, and nothing is wider than the screen", async () => {

@@ -2,8 +2,8 @@
 
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
-import { violations } from "./axe";
-import { browserForAll, visit } from "./visit";
+import { violations } from "../given/axe";
+import { browserForAll, visit } from "../given/visit";
 
 browserForAll();
 

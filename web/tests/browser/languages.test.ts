@@ -6,8 +6,8 @@ import { expect, test } from "vitest";
 import { LANGUAGES } from "../../src/words/language";
 import { first } from "../given/soak";
 import { TABLES } from "../given/tables";
-import { violations } from "./axe";
-import { addressOfPage, browserForAll, elsewhere, emptyPage, visit } from "./visit";
+import { violations } from "../given/axe";
+import { addressOfPage, browserForAll, elsewhere, emptyPage, visit } from "../given/visit";
 
 browserForAll();
 

@@ -5,7 +5,7 @@ import { basename, extname, join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { expect, test } from "vitest";
 import { PAGE } from "../given/server";
-import { browserForAll, elsewhere, visit } from "./visit";
+import { browserForAll, elsewhere, visit } from "../given/visit";
 
 browserForAll();
 

@@ -9,7 +9,7 @@ import { toCsv } from "../../src/setup/export";
 import { INITIAL, type Setup } from "../../src/setup/setup";
 import { toHash } from "../../src/setup/url";
 import { loadCore, loadShakenCore, motionOf, shakenInput } from "../given/core";
-import { browserForAll, visit } from "./visit";
+import { browserForAll, visit } from "../given/visit";
 
 browserForAll();
 

@@ -7,7 +7,7 @@ import { pathToFileURL } from "node:url";
 import type { Frame, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { printed } from "../given/python";
-import { browserForAll, emptyPage } from "./visit";
+import { browserForAll, emptyPage } from "../given/visit";
 
 browserForAll();
 

@@ -1,7 +1,7 @@
 // A published page opens without a network after the first visit; one from this machine leaves nothing behind.
 
 import { expect, test } from "vitest";
-import { browserForAll, visit } from "./visit";
+import { browserForAll, visit } from "../given/visit";
 
 browserForAll();
 

@@ -8,7 +8,7 @@ import { toHash } from "../../src/setup/url";
 import { Chance } from "../given/chance";
 import { columnsOf, difference, run } from "../given/python";
 import { likelySetup } from "../given/setups";
-import { browserForAll, visit } from "./visit";
+import { browserForAll, visit } from "../given/visit";
 
 browserForAll();
 

@@ -4,7 +4,7 @@ import { type ChildProcess, spawn } from "node:child_process";
 import { once } from "node:events";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { PYTHON } from "../given/python";
-import { browserForAll, emptyPage } from "./visit";
+import { browserForAll, emptyPage } from "../given/visit";
 
 browserForAll();
 

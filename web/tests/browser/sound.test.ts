@@ -2,7 +2,7 @@
 
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { browserForAll, visit } from "./visit";
+import { browserForAll, visit } from "../given/visit";
 
 browserForAll();
 

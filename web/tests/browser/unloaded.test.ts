@@ -7,7 +7,7 @@ import { describe, expect, test } from "vitest";
 import { PAGE } from "../given/server";
 import { first } from "../given/soak";
 import { TABLES } from "../given/tables";
-import { addressOfPage, browserForAll, emptyPage } from "./visit";
+import { addressOfPage, browserForAll, emptyPage } from "../given/visit";
 
 browserForAll();
 

@@ -2,7 +2,7 @@
 
 import type { Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
-import { PUBLIC_HOST, type Visit, browserForAll, visit } from "./visit";
+import { PUBLIC_HOST, type Visit, browserForAll, visit } from "../given/visit";
 
 browserForAll();
 

@@ -2,7 +2,7 @@
 
 import { type Browser, type BrowserContextOptions, type Page, chromium } from "playwright-core";
 import { afterAll, afterEach, beforeAll } from "vitest";
-import { type Served, serve } from "../given/server";
+import { type Served, serve } from "./server";
 
 // Test machines have no graphics card, so WebGL is drawn in software.
 const FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
@@ -100,6 +100,17 @@ export async function visit(options: VisitOptions = {}): Promise<Visit> {
   const notice = place.getByText(/WebGL|cannot show the picture/);
   await (webgl ? place.locator("canvas[data-engine]") : notice.first()).waitFor();
   return { page, requests, complaints };
+}
+
+/** Scrolls to a scene of the essay until it is alive. */
+export async function goTo(page: Page, id: string): Promise<void> {
+  // A visitor who does something leaves the section that the address names.
+  await page.keyboard.press("Shift");
+  await page
+    .locator(`#${id}`)
+    .locator(".place")
+    .evaluate((place) => place.scrollIntoView({ block: "center", behavior: "instant" }));
+  await page.locator(`#${id}`).locator(".table-stage").waitFor({ state: "attached" });
 }
 
 function withoutWebGL(): void {

@@ -2,7 +2,7 @@
 
 import type { Locator, Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
-import { type Visit, browserForAll, visit } from "./visit";
+import { type Visit, browserForAll, visit } from "../given/visit";
 
 browserForAll();
 

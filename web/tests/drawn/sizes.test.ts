@@ -2,8 +2,8 @@
 
 import { fileURLToPath } from "node:url";
 import { expect, test } from "vitest";
-import { violations } from "./axe";
-import { browserForAll, elsewhere, visit } from "./visit";
+import { violations } from "../given/axe";
+import { browserForAll, elsewhere, visit } from "../given/visit";
 
 browserForAll();
 

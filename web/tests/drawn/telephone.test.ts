@@ -2,7 +2,7 @@
 
 import type { CDPSession, Page } from "playwright-core";
 import { describe, expect, test } from "vitest";
-import { browserForAll, visit } from "./visit";
+import { browserForAll, visit } from "../given/visit";
 
 browserForAll();
 

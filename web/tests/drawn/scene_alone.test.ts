@@ -1,9 +1,9 @@
 // A scene of the essay alone, in a frame of a lesson's page or slide.
 
 import { expect, test } from "vitest";
-import { violations } from "./axe";
+import { violations } from "../given/axe";
 import { first } from "../given/soak";
-import { addressOfPage, browserForAll, emptyPage, visit } from "./visit";
+import { addressOfPage, browserForAll, emptyPage, visit } from "../given/visit";
 
 browserForAll();
 

@@ -1,8 +1,8 @@
 // The page in a frame of another page.
 
 import { expect, test } from "vitest";
-import { violations } from "./axe";
-import { addressOfPage, browserForAll, emptyPage, visit } from "./visit";
+import { violations } from "../given/axe";
+import { addressOfPage, browserForAll, emptyPage, visit } from "../given/visit";
 
 browserForAll();
 
