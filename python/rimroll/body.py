@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.errors import RimrollError, element, expect
+from rimroll.falls import Falls
 from rimroll.given import Number, Values, number, values
 from rimroll.grid import Grid, key, same
 from rimroll.recorded import expect_dataset, recorded
@@ -194,6 +195,9 @@ def body_of(record: Record) -> Body:
 
     Raises ``RimrollError`` for a dataset of something else.
     """
+    if isinstance(record, Falls) and record.body is not None:
+        body: Body = record.body
+        return body
     return Body(**{field.name: recorded(record, f"body_{field.name}") for field in fields(Body)})
 
 

@@ -52,13 +52,16 @@ class Falls:
     ``spin_rate`` (s,) and ``yaw_rate`` (y,). ``columns`` have the shape of the axes, (n,) or
     (s, y): ``outcome`` and the numbers of each fall. ``attrs`` hold everything that all falls have
     in common. ``falls["turn"]`` is the array of one column or axis. ``labels`` are further
-    coordinates, each along some of the axes.
+    coordinates, each along some of the axes. ``body`` and ``law`` are those of falls that were
+    computed here, not read from a dataset.
     """
 
     columns: Mapping[str, Column]
     axes: Mapping[str, Column]
     attrs: dict[str, Any]
     labels: Mapping[str, Coordinate] = field(default_factory=dict)
+    body: Any = None
+    law: Any = None
 
     @classmethod
     def of(cls, falls: Falls | xr.Dataset) -> Falls:
@@ -107,7 +110,7 @@ class Falls:
             for name, one in self.columns.items()
         }
         labels = {name: coord for name, coord in grid.coords.items() if name not in axes}
-        return Falls(columns, axes, self.attrs, labels)
+        return replace(self, columns=columns, axes=axes, labels=labels)
 
     def to_xarray(self) -> xr.Dataset:
         """The falls as a labelled dataset with units."""

@@ -206,7 +206,8 @@ def _plane(falls: Falls, yaw: Array, spin: Array, start: State) -> Falls:
     shape = falls.size // len(yaw), len(yaw)
     whole = shape[0] * shape[1]
     kept = ("tilt", "tilt_rate", "yaw", "spin")
-    return Falls(
+    return replace(
+        falls,
         columns={
             name: replace(column, values=column.values[:whole].reshape(shape))
             for name, column in falls.columns.items()

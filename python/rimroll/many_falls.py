@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,7 +16,7 @@ from rimroll.errors import RimrollError, callback, expect, hold
 from rimroll.falls import Column, Falls
 from rimroll.falls import rows as in_rows
 from rimroll.given import Number, Values, thread_count, values
-from rimroll.laws import Law, contact_law, only_fixed, varied_numbers
+from rimroll.laws import Law, contact_law
 from rimroll.many_columns import LOSSES, energy_lost, inputs, transposed, unless_stopped
 from rimroll.options import Keywords, Options, takes_options
 from rimroll.recorded import parameters
@@ -163,7 +163,7 @@ def follow(
     workers = thread_count(threads)
     callback("progress", progress)
     friction_scale = _friction_scale(friction_scale)
-    numbers = varied_numbers(law.numbers)
+    numbers = law.varied
     rows = _flat(Rows.of(body, starts, {"friction_scale": friction_scale, **numbers}))
     varied = {name: rows.grid.flat(value) for name, value in numbers.items()}
     scales, count = rows.grid.flat(friction_scale), rows.grid.size
@@ -176,7 +176,7 @@ def follow(
         table, stopped = _core.ensemble(
             rows.bodies,
             rows.starts,
-            only_fixed(law),
+            law.fixed,
             varied,
             scales,
             *options.values,
@@ -188,7 +188,7 @@ def follow(
     columns = _columns(rows, varied, scales, table, words)
     recorded = asdict(options) | {"flat": None, "flat_gap": None}
     attrs = parameters(law.name, recorded, law=law.numbers, body=asdict(body))
-    falls = in_rows(columns, attrs)
+    falls = replace(in_rows(columns, attrs), body=body, law=law)
     if len(table) == count and rows.grid.dims is not None:
         falls = falls.laid_out(rows.grid)
     return unless_stopped(falls, stopped)

@@ -14,7 +14,7 @@ from rimroll import _core
 from rimroll.body import Bodies, Body
 from rimroll.errors import RimrollError
 from rimroll.grid import Grid
-from rimroll.laws import Law, OneLaw, only_fixed, varied_numbers
+from rimroll.laws import Law, OneLaw
 from rimroll.state import State
 
 Array = NDArray[np.float64]
@@ -99,9 +99,7 @@ def _values(things: tuple[Any, ...]) -> dict[str, Any]:
     values: dict[str, Any] = {}
     for place, thing in enumerate(things):
         if isinstance(thing, Law):
-            values |= {
-                f"law {name}": value for name, value in varied_numbers(thing.numbers).items()
-            }
+            values |= {f"law {name}": value for name, value in thing.varied.items()}
         elif isinstance(thing, Body):
             values |= _fields(thing)
         else:
@@ -119,10 +117,8 @@ def _each(thing: Any, grid: Grid) -> Iterator[Any]:
 
 
 def _each_law(law: Law, grid: Grid) -> Iterator[OneLaw]:
-    fixed = only_fixed(law).numbers
-    columns = {
-        name: grid.flat(value).tolist() for name, value in varied_numbers(law.numbers).items()
-    }
+    fixed = law.fixed.numbers
+    columns = {name: grid.flat(value).tolist() for name, value in law.varied.items()}
     for row in zip(*columns.values(), strict=True):
         yield OneLaw(law.name, fixed | dict(zip(columns, row, strict=True)))
 

@@ -8,6 +8,8 @@ import pytest
 import xarray as xr
 
 import rimroll as rr
+from rimroll.experiment.toppling import let_go, limits
+from rimroll.laws import law_of
 from rimroll.motion import UNITS
 
 CAN = rr.bodies.can_2007()
@@ -56,6 +58,15 @@ def test_falls_can_be_followed_again_from_their_dataset():
         **{name: falls.attrs[name] for name in ("duration", "gravity", "rtol", "max_steps")},
     )
     xr.testing.assert_identical(again, falls)
+
+
+@pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
+def test_falls_keep_the_law_that_their_dataset_says(law):
+    falls = let_go(CAN, law, 3, "flick", seed=1)
+    assert law_of(falls) is law
+    named = falls.to_xarray().assign_attrs(body="can_2007")  # as in files of the command line
+    assert law_of(named) == law
+    assert limits(named) == limits(falls)
 
 
 def test_a_fall_is_no_motion_as_it_has_a_friction_scale():

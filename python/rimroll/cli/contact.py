@@ -147,7 +147,8 @@ def with_resistances(law: Law, options: ResistanceOptions, body: Body, gravity: 
     ):
         if item is not None:
             kept[type(item)] = item
-    return replace(law, resistances=tuple(kept.values()))
+    found = tuple(kept.values())
+    return law if found == law.resistances else replace(law, resistances=found)
 
 
 def _rolling(options: ResistanceOptions, old: Resistance | None) -> RollingResistance | None:

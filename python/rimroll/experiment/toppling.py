@@ -162,6 +162,8 @@ def _mean(falls: Falls | xr.Dataset, name: str) -> float:
 
 def _scaled(law: Law, factor: float) -> Law:
     """The law with its friction changed by a factor."""
+    if factor == 1.0:
+        return law
     scaled = {
         field.name: factor * value
         for field in fields(law)

@@ -18,14 +18,11 @@ from rimroll.laws.law import (
     kind,
     law_of,
     one_law,
-    only_fixed,
 )
 from rimroll.laws.parameters import (
     Parameter,
-    fixed_numbers,
     in_brief,
     parameters_of,
-    varied_numbers,
 )
 from rimroll.laws.resistances import AirDrag, PivotingFriction, Resistance, RollingResistance
 from rimroll.laws.stribeck import Stribeck
@@ -51,14 +48,11 @@ __all__ = [
     "Viscous",
     "by_name",
     "contact_law",
-    "fixed_numbers",
     "has_one_limit",
     "ideal",
     "in_brief",
     "kind",
     "law_of",
     "one_law",
-    "only_fixed",
     "parameters_of",
-    "varied_numbers",
 ]

@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 from rimroll import _core
 from rimroll.grid import Grid
-from rimroll.laws.parameters import fixed_numbers, varied_numbers
 
 
 class OneLaw(NamedTuple):
@@ -17,9 +16,16 @@ class OneLaw(NamedTuple):
     numbers: dict[str, float]
 
 
-def check(name: str, numbers: Mapping[str, Any]) -> None:
-    """Raise ``RimrollError`` naming the first number that is out of bounds."""
-    varied, fixed = varied_numbers(numbers), OneLaw(name, fixed_numbers(numbers))
+def only_fixed(name: str, numbers: Mapping[str, Any], varied: Mapping[str, Any]) -> OneLaw:
+    """The law of that name without the numbers that are varied."""
+    return OneLaw(name, {key: value for key, value in numbers.items() if key not in varied})
+
+
+def check(fixed: OneLaw, varied: Mapping[str, Any]) -> None:
+    """Raise ``RimrollError`` naming the first number that is out of bounds.
+
+    ``varied`` are the numbers that are arrays.
+    """
     if not varied:
         _core.check_contact_law(fixed)
         return
@@ -28,4 +34,4 @@ def check(name: str, numbers: Mapping[str, Any]) -> None:
     bad = _core.first_bad_contact_law(fixed, columns)
     if bad is not None:
         row, error = bad
-        raise grid.placed(error, numbers, row)
+        raise grid.placed(error, varied, row)

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from rimroll.errors import RimrollError, expect
+from rimroll.falls import Falls
 from rimroll.grid import Grid
-from rimroll.laws.core import OneLaw, check
+from rimroll.laws.core import OneLaw, check, only_fixed
 from rimroll.laws.parameters import (
     Parameter,
     Parameters,
-    fixed_numbers,
     listed,
     parameters_of,
     varied_numbers,
@@ -59,7 +60,7 @@ class Law(Parameters):
                 raise RimrollError(f"a law takes one {kind}, got two")
         in_order = tuple(sorted(items, key=lambda item: type(item).__name__, reverse=True))
         object.__setattr__(self, "resistances", in_order)
-        check(self.name, self.numbers)
+        check(self.fixed, self.varied)
 
     @classmethod
     def from_xarray(cls, dataset: xr.Dataset) -> Law:
@@ -80,7 +81,7 @@ class Law(Parameters):
     def __repr__(self) -> str:
         return " + ".join([super().__repr__(), *map(repr, self.resistances)])
 
-    @property
+    @cached_property
     def numbers(self) -> dict[str, float | tuple[float, ...]]:
         """The law's numbers and those of its resistances, by name, in SI units.
 
@@ -95,10 +96,20 @@ class Law(Parameters):
             own |= resistance.numbers
         return own
 
-    @property
+    @cached_property
+    def varied(self) -> dict[str, Any]:
+        """The numbers that are arrays, by name."""
+        return varied_numbers(self.numbers)
+
+    @cached_property
+    def fixed(self) -> OneLaw:
+        """The law without the numbers that are arrays, as the core reads it."""
+        return only_fixed(self.name, self.numbers, self.varied)
+
+    @cached_property
     def shape(self) -> tuple[int, ...]:
         """The shape that the numbers broadcast to; () for one law."""
-        return Grid.over(varied_numbers(self.numbers)).shape
+        return Grid.over(self.varied).shape
 
 
 def contact_law(law: object) -> Law:
@@ -119,11 +130,6 @@ def one_law(law: Any) -> Law:
         )
     assert isinstance(law, Law)
     return law
-
-
-def only_fixed(law: Law) -> OneLaw:
-    """A law without the numbers that are arrays."""
-    return OneLaw(law.name, fixed_numbers(law.numbers))
 
 
 LAWS: dict[str, type[Law]] = {}
@@ -174,6 +180,9 @@ def law_of(record: Record) -> Law:
 
     Raises ``RimrollError`` for a dataset of something else.
     """
+    if isinstance(record, Falls) and record.law is not None:
+        kept: Law = record.law
+        return kept
     if "law" not in record.attrs:
         raise not_recorded("law", "law")
     law = kind(str(record.attrs["law"]))

@@ -109,11 +109,6 @@ def varied_numbers(numbers: Mapping[str, Any]) -> dict[str, Any]:
     return {name: value for name, value in numbers.items() if is_array(value)}
 
 
-def fixed_numbers(numbers: Mapping[str, Any]) -> dict[str, float]:
-    """The numbers of a law that are single numbers."""
-    return {name: value for name, value in numbers.items() if not is_array(value)}
-
-
 def in_brief(value: float | tuple[float, ...]) -> str:
     """A number of a law as text, or the range of the numbers of a table."""
     if isinstance(value, tuple):

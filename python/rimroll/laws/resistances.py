@@ -10,8 +10,13 @@ import numpy as np
 
 from rimroll import _core
 from rimroll.given import Number, Values, number, positive
-from rimroll.laws.core import check
-from rimroll.laws.parameters import Parameter, Parameters, parameters_of
+from rimroll.laws.core import check, only_fixed
+from rimroll.laws.parameters import (
+    Parameter,
+    Parameters,
+    parameters_of,
+    varied_numbers,
+)
 from rimroll.units import air_unit
 
 
@@ -23,7 +28,8 @@ class _Resistance(Parameters):
 
     def __post_init__(self) -> None:
         self._read()
-        check("no_slip", self.numbers)
+        varied = varied_numbers(self.numbers)
+        check(only_fixed("no_slip", self.numbers, varied), varied)
 
     @classmethod
     def core_names(cls) -> list[str]:

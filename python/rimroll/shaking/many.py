@@ -17,7 +17,7 @@ from rimroll.falls import rows as in_rows
 from rimroll.given import Values, thread_count, values
 from rimroll.grid import is_labelled
 from rimroll.ground.ground import MAX_FACTOR, Ground
-from rimroll.laws import Law, OneLaw, contact_law, only_fixed, varied_numbers
+from rimroll.laws import Law, OneLaw, contact_law
 from rimroll.many_columns import LOSSES, energy_lost, inputs, unless_stopped
 from rimroll.motion.flat import ON_MOVING_TABLES, flat_in_core, landing_given
 from rimroll.options import Keywords, Options, takes_options
@@ -200,7 +200,7 @@ def follow_shaken(
     _expect_scales(scales)
     if durations is not None:
         durations = _positive("duration", durations, "s")
-    numbers = varied_numbers(law.numbers)
+    numbers = law.varied
     others = {"scale": scales, "duration": durations, **numbers}
     each, index = _grounds(grounds, [body, starts], others)
     others = {name: value for name, value in others.items() if value is not None}
@@ -292,8 +292,8 @@ def _shakings(
     return Shakings(
         rows.bodies,
         rows.starts,
-        only_fixed(law),
-        {name: rows.grid.flat(value) for name, value in varied_numbers(law.numbers).items()},
+        law.fixed,
+        {name: rows.grid.flat(value) for name, value in law.varied.items()},
         [ground.core for ground in grounds],
         of_row,
         rows.grid.flat(scales),
