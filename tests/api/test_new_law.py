@@ -32,7 +32,8 @@ class Grease(Law):
 laws.LAWS["viscous"] = Grease
 
 import rimroll as rr
-from rimroll import scenario, style
+from rimroll import scenario
+from rimroll.figures import style
 from rimroll.cli import main
 
 def output_of(command):
