@@ -18,7 +18,7 @@ import { PathLayer } from "./path";
 import type { Spot } from "./pose";
 import { PIXEL } from "./ribbon";
 import { FrameRate, Stage } from "./stage";
-import { cellOf, Tables } from "./tables";
+import { cellOf, Tabletop } from "./tabletop";
 import { TurnLayer } from "./turn";
 import { View } from "./view";
 
@@ -58,7 +58,7 @@ export class Picture {
       this.changed,
     );
     this.layers = [
-      new Tables(scene, this.view, () => this.repaint()),
+      new Tabletop(scene, this.view, () => this.repaint()),
       this.body,
       new PathLayer(),
       new TurnLayer(this.labels, this.body),

@@ -17,7 +17,7 @@ const LEASH = 0.6;
 /** Side of a square of the grid on the table, m. */
 export const cellOf = (reach: number): number => powerOfTen(reach / 2.5);
 
-export class Tables implements Layer {
+export class Tabletop implements Layer {
   readonly group = new Group();
   private readonly table = new Table();
   private readonly ruler = new Ruler();
