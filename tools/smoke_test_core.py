@@ -22,7 +22,7 @@ def turn() -> float:
     )
     law = SimpleNamespace(name="no_slip", numbers={})
     options = (2.0, _core.STANDARD_GRAVITY, 1e-10, None, 1_000_000)
-    arguments = (*options, None, False, None, ("stop", 0.0, 0))
+    arguments = (*options, None, False, None, ("stop", 0.0, 0, 0.0))
     (angle, *_), *_ = _core.simulate(can, start, law, *arguments).turns()
     return math.degrees(angle)
 

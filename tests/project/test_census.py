@@ -60,7 +60,7 @@ def column_shaken(monkeypatch):
     start = rr.State(tilt=0.1, yaw=0.3, yaw_rate=0.2, spin_rate=-0.1)
     pulse = ("sine", np.array([1.0, 0.5, 0.5]), 1.2)
     record = (0.0, np.zeros((0, 3)))
-    return Shaken(column, start, rr.NoSlip(), pulse, record, "stop", 1.5, 9.81, 1e-10)
+    return Shaken(column, start, rr.NoSlip(), pulse, record, "stop", 0.0, 1.5, 9.81, 1e-10)
 
 
 def broken(shaken):
