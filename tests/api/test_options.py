@@ -77,6 +77,17 @@ def test_what_is_no_option_is_refused(call):
         call(rtol=1.0)
 
 
+@pytest.mark.parametrize("ground", [None, PULSE])
+def test_a_motion_is_followed_again_from_what_it_keeps(ground):
+    motion = rr.simulate(CAN, START, rr.Coulomb(0.2), "300 ms", ground=ground, **OTHERS)
+    again = rr.simulate(
+        motion.body, motion.start, motion.law, ground=motion.ground, options=motion.options
+    )
+    assert again.parameters() == motion.parameters()
+    np.testing.assert_array_equal(again.tilt, motion.tilt)
+    assert again.options.flat == ("stop" if ground is None else "housner")
+
+
 def test_options_carry_units():
     options = rr.Options("500 ms", gravity="1.62 m/s^2", topple_tilt="80 deg", flat="smooth:3")
     assert options == rr.Options(

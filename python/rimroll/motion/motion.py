@@ -50,8 +50,10 @@ class Motion(Moments):
 
     Attributes
     ----------
-    body, start, law, duration, gravity, rtol, topple_tilt, max_steps, ground, flat, flat_gap
-        What it was computed from.
+    body, start, law, ground, options
+        What it was computed from; :class:`rimroll.Options` are one object.
+    duration, gravity, rtol, topple_tilt, max_steps, flat, flat_gap
+        The options one by one.
     status
         ``finished``, ``toppled``, ``lifted_off``, ``face_down``, ``at_rest``, ``painleve`` or
         ``failed``.
@@ -71,7 +73,7 @@ class Motion(Moments):
         self.body = body
         self.start = start
         self.law = law
-        self._options = options
+        self.options = options
         self.duration = options.duration
         self.gravity = options.gravity
         self.rtol = options.rtol
@@ -259,7 +261,7 @@ class Motion(Moments):
                 self.body,
                 self.start,
                 self.law,
-                self._options,
+                self.options,
                 self._has_jacobian,
                 None,
                 self.ground,
@@ -552,7 +554,7 @@ class Motion(Moments):
         """
         return parameters(
             self.law.name,
-            {**asdict(self._options), "flat": flat_as_text(self.flat), **self._ground_in_words()},
+            {**asdict(self.options), "flat": flat_as_text(self.flat), **self._ground_in_words()},
             law=self.law.numbers,
             body=asdict(self.body),
             start=asdict(self.start),
@@ -585,6 +587,7 @@ def follow(
 ) -> Motion:
     """What :func:`rimroll.simulate` computes, from arguments that are already checked."""
     flat = landing_given(options.flat, ground is not None)
+    options = replace(options, flat=flat)
     core = _core.simulate(
         body,
         start,

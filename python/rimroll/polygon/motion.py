@@ -152,8 +152,10 @@ class PolygonMotion(PolygonMoments):
 
     Attributes
     ----------
-    body, start, law, duration, gravity, rtol, topple_tilt, max_steps, restitution
-        What it was computed from.
+    body, start, law, restitution, options
+        What it was computed from; :class:`rimroll.Options` are one object.
+    duration, gravity, rtol, topple_tilt, max_steps
+        The options one by one.
     status
         ``finished``, ``toppled``, ``at_rest`` (it stands on its base: impacts, if endless, took
         the energy), ``lifted_off`` (without slip, a corner came down so that its friction lifts it,
@@ -174,7 +176,7 @@ class PolygonMotion(PolygonMoments):
         self.body = body
         self.start = start
         self.law = law
-        self._options = options
+        self.options = options
         self.duration = options.duration
         self.gravity = options.gravity
         self.rtol = options.rtol
@@ -185,7 +187,7 @@ class PolygonMotion(PolygonMoments):
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickling computes the motion again, with the same bits."""
-        return follow, (self.body, self.start, self.law, self._options, self.restitution)
+        return follow, (self.body, self.start, self.law, self.options, self.restitution)
 
     def __repr__(self) -> str:
         return f"<PolygonMotion, {self.body.corners} corners, {self.message}>"
