@@ -244,7 +244,7 @@ def test_motions_that_ended_undecided_are_left_out_and_counted() -> None:
     assert curve.plot() is not None
 
 
-def test_motions_that_came_down_flat_or_were_still_falling_are_undecided() -> None:
+def test_motions_that_stop_flat_while_the_table_moves_or_still_fall_are_undecided() -> None:
     column = rr.Body(1000, 0.5, 2.0, 1395.8333333333333, 125.0)
     pulse = rr.ground.rectangular(3.6, 0.58)
     falling, flat, fell = (

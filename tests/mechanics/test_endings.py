@@ -127,7 +127,7 @@ def test_a_knock_tilts_a_body_as_far_as_its_energy_goes(body, part, yaw):
         # A hard knock pulls a flat body off the table.
         assert motion.normal_force[-1] == pytest.approx(0.0, abs=1e-6 * m * g)
         return
-    assert motion.status == "face_down" and not motion.overturned
+    assert motion.status == "face_down" and motion.overturned is False
     top = motion.max_tilt
     assert R * np.sin(top) + H * np.cos(top) - H == pytest.approx(rise, rel=1e-8)
     np.testing.assert_array_equal(motion.yaw, yaw)

@@ -189,7 +189,7 @@ class Motion(Moments):
         decided that a body does not overturn where the table no longer moves and the body stands,
         slides flat, has less energy than at its balance tilt, or repeats a rocking without loss. A
         motion that stops before that is undecided, for instance where the base came down flat with
-        ``flat="stop"``.
+        ``flat="stop"`` while the table still moved.
         """
         return None if self._core.undecided else self._core.overturning_time is not None
 

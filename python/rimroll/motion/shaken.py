@@ -78,6 +78,12 @@ def _end_in_words(motion: Motion) -> str:
             f"At the end it stands, its footprint displaced by {np.hypot(x, y):.4g} m"
             f" (x {x:.4g}, y {y:.4g}) and the body turned by {np.degrees(yaw):.4g}°."
         )
+    if motion.status == "face_down":
+        return (
+            f"At {end:.6g} s its base came down flat, with too little energy to overturn. What"
+            " follows from simultaneous impacts is not determined, so that where it will stand is"
+            " undecided."
+        )
     if motion.phases[-1].kind == "sliding_flat":
         return f"At {end:.6g} s it still slides, so that where it will stand is undecided."
     tops = [event.state.tilt for event in motion.events if event.kind == "tilt_max"]

@@ -162,7 +162,8 @@ pub(super) fn overturning_time(
 /// Whether a motion ended before it was determined whether the body overturns.
 ///
 /// It is determined where the body has overturned, or where the table no longer moves and the body stands, slides flat,
-/// leans less than its balance tilt with too little energy to reach it, or repeats a rocking that loses no energy.
+/// leans less than its balance tilt with too little energy to reach it, or repeats a rocking that loses no energy. A
+/// motion may also stop with too little energy where the base comes down flat: an impact adds none.
 pub(super) fn is_undecided(
     contacts: &Contacts,
     status: Status,
@@ -177,7 +178,9 @@ pub(super) fn is_undecided(
         || !k.is_past_balance(end.tilt())
             && energy_of_tilting(contacts, end) < k.m * k.g * (libm::hypot(k.r, k.h) - k.h)
         || repeats_itself(contacts, events, end);
-    status != Status::Finished || !is_safe || !ground_is_over(contacts, end)
+    !matches!(status, Status::Finished | Status::FaceDown)
+        || !is_safe
+        || !ground_is_over(contacts, end)
 }
 
 /// Whether the tilt is periodic: the body has passed a minimum and a maximum of the tilt on a table at rest, without loss
