@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import rimroll as rr
 from given.at2 import HEADERS, STYLES, at2
 from given.strategies import examples
-from rimroll.ground.names import direction_of
+from rimroll.ground.columns import direction_of
 
 G = rr.STANDARD_GRAVITY
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -38,9 +38,7 @@ each_ground = pytest.mark.parametrize("ground", GROUNDS.values(), ids=GROUNDS)
         "ground",
         "ground.ground",
         "ground.pulses",
-        "ground.records",
-        "ground.synthetic",
-        "ground.names",
+        "ground.columns",
     ],
 )
 def test_examples_in_the_docstrings_are_true(module):

@@ -12,13 +12,19 @@ gravity.
 [[2.942, 1.061, 0.0], [0.0, -1.5, 0.0]]
 """
 
-from rimroll.ground.collection import read_all
-from rimroll.ground.files import read
-from rimroll.ground.peaks import Peak
-from rimroll.ground.pulses import cosine, half_sine, rectangular, ricker, sine
-from rimroll.ground.records import function, sampled
+from rimroll.ground.files import read, read_all
+from rimroll.ground.lines import Peak
+from rimroll.ground.pulses import (
+    cosine,
+    function,
+    half_sine,
+    rectangular,
+    ricker,
+    sampled,
+    sine,
+    synthetic,
+)
 from rimroll.ground.streams import from_obspy
-from rimroll.ground.synthetic import synthetic
 
 __all__ = [
     "Peak",

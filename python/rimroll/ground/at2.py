@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
-from rimroll.ground.names import RECORD, Direction, axis_of, direction_of, factor_of_unit
+from rimroll.ground.columns import RECORD, Direction, axis_of, direction_of, factor_of_unit
 from rimroll.titles import expect_step
 
 Array = NDArray[np.float64]

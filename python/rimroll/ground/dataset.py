@@ -15,6 +15,7 @@ from rimroll.ground.ground import Ground
 if TYPE_CHECKING:
     import xarray as xr
 
+
 PULSES, STEP, HEADING = "ground_pulses", "ground_step", "ground_heading"
 """The attributes: the pulses as JSON, the step of the record in s, the heading of x in rad."""
 

@@ -1,4 +1,4 @@
-"""A motion of the ground."""
+"""A motion of the ground and its figure."""
 
 from __future__ import annotations
 
@@ -13,21 +13,24 @@ from numpy.typing import NDArray
 from rimroll import _core
 from rimroll.errors import RimrollError, hold
 from rimroll.given import Number, Values, number, numbers, positive
-from rimroll.ground.lines import Lines, lines_of, takes_long
-from rimroll.ground.peaks import (
+from rimroll.ground.lines import (
     HORIZONTAL,
+    Lines,
     Peak,
     along,
     bound_of_peak,
     combined,
+    lines_of,
     peak_of,
     peak_of_part,
+    takes_long,
 )
 from rimroll.names import choose
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
+
 
 Array = NDArray[np.float64]
 
@@ -255,9 +258,8 @@ class Ground:
 
     def plot(self) -> Figure:
         """The acceleration, velocity and displacement over time, and the pseudo-spectra at 5 %."""
-        from rimroll.ground.figure import ground_figure
 
-        return ground_figure(self)
+        return _figure(self)
 
     def to_xarray(self) -> xr.Dataset:
         """The ground as a dataset over ``t`` and ``component`` (x, y, z), with units.
@@ -363,3 +365,49 @@ def _again(
     if samples is not None:
         core = core.plus(_core.CoreGround.from_samples(step, samples))
     return Ground(core, heading)
+
+
+_PERIODS = np.geomspace(0.05, 5.0, 80)
+"""The periods of the spectra, s."""
+
+_MARKED = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0)
+"""The periods that are marked."""
+
+
+def _figure(ground: Ground) -> Figure:
+    """Acceleration, velocity and displacement of each component over time, and pseudo-spectra."""
+    from matplotlib.ticker import NullLocator
+
+    from rimroll.figures import style
+
+    axes = tuple(zip("xyz", style.SERIES[:3], ("-", "--", "-."), strict=True))
+    lines = ground._lines
+    spectrum = ground.response_spectrum(_PERIODS)["pseudo_acceleration"]
+    with style.figure_style():
+        figure = style.page(110.0)
+        panels = figure.subplot_mosaic([["a", "d"], ["b", "d"], ["c", "d"]], width_ratios=[2, 1])
+        for letter, name, symbol, values in (
+            ("a", "acceleration", "$a$ (m/s²)", lines.acceleration),
+            ("b", "velocity", "$v$ (m/s)", lines.velocity),
+            ("c", "displacement", "$d$ (m)", lines.displacement),
+        ):
+            ax = panels[letter]
+            for column, (axis, color, dashes) in enumerate(axes):
+                if lines.acceleration[:, column].any():
+                    ax.plot(lines.t, values[:, column], dashes, color=color, label=axis, lw=0.8)
+            ax.set_xlim(0.0, ground.duration)
+            style.label(ax, letter, name, "time $t$ (s)" if letter == "c" else "", symbol)
+        ax = panels["d"]
+        for column, (axis, color, dashes) in enumerate(axes):
+            if lines.acceleration[:, column].any():
+                ax.plot(_PERIODS, spectrum[:, column], dashes, color=color, label=axis)
+        ax.set_xscale("log")
+        ax.set_xlim(_PERIODS[0], _PERIODS[-1])
+        ax.set_ylim(bottom=0.0)
+        ax.set_xticks(_MARKED, labels=[f"{period:g}" for period in _MARKED])
+        ax.xaxis.set_minor_locator(NullLocator())
+        style.label(
+            ax, "d", "response at 5 % damping", "period $T$ (s)", "pseudo-acceleration (m/s²)"
+        )
+        ax.legend()
+    return figure

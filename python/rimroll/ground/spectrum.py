@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, hold
 from rimroll.given import Number, Values, number, numbers
-from rimroll.ground.lines import MAX_POINTS, Lines
-from rimroll.ground.peaks import along, combined
+from rimroll.ground.lines import MAX_POINTS, Lines, along, combined
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -10,15 +10,15 @@ from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
 from rimroll.given import numbers, positive
-from rimroll.ground.ground import Ground
-from rimroll.ground.names import (
+from rimroll.ground.columns import (
     RECORD,
     STRONGEST,
     axis_of_channel,
     expect_strength,
     factor_of_unit,
 )
-from rimroll.ground.records import sampled
+from rimroll.ground.ground import Ground
+from rimroll.ground.pulses import sampled
 from rimroll.titles import expect_step
 
 Array = NDArray[np.float64]
