@@ -44,6 +44,19 @@ def test_only_what_is_needed_is_loaded(what):
     assert {name for name in loaded if not name.startswith("_sysconfig")} - ours <= LOADED[what]
 
 
+@pytest.mark.parametrize("command", ["turn can_2007", "topple -n 2 --json"])
+def test_commands_on_a_table_at_rest_load_no_motions_of_the_ground(command):
+    program = (
+        f"from rimroll.cli import main; main({command.split()}); import sys; print(*sys.modules)"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    loaded = run.stdout.splitlines()[-1].split()
+    assert "rimroll.motion" in loaded
+    assert "rimroll.ground" not in loaded
+
+
 def test_the_names_that_type_checkers_see_are_there():
     stub = Path(rr.__file__).with_suffix(".pyi").read_text()
     seen = {

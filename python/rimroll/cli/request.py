@@ -6,6 +6,7 @@ import inspect
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rimroll import bodies
 from rimroll.body import Body
@@ -20,14 +21,15 @@ from rimroll.cli.options import (
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import nudged
 from rimroll.given import positive
-from rimroll.ground.described import AFTER
-from rimroll.ground.ground import Ground
 from rimroll.motion.flat import FlatLanding, landing_given
 from rimroll.names import choose
 from rimroll.options import Options
-from rimroll.scenario import Scenario, load, presets
+from rimroll.scenario import AFTER, Scenario, load, presets
 from rimroll.state import State
 from rimroll.units import START_UNIT_OF, UNIT_OF, quantity, size_of_body, tilt_angle
+
+if TYPE_CHECKING:
+    from rimroll.ground.ground import Ground
 
 NUMBERS = ("mass", "radius", "height", "transverse_inertia", "axial_inertia")
 SIZES = (*NUMBERS, "length", "density", "fill")

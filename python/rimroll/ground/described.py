@@ -24,9 +24,6 @@ PULSES: dict[str, Callable[..., Ground]] = {
 NUMBERS = {"amplitude": "m/s^2", "period": "s", "cycles": "1", "duration": "s", "center": "s"}
 """The numbers of pulses and their SI units."""
 
-AFTER = 10.0
-"""How long a motion is followed after the end of the ground unless its duration is given, s."""
-
 Three = float | list[float]
 """A number, or three (x, y, z)."""
 

@@ -22,6 +22,9 @@ from rimroll.state import State
 if TYPE_CHECKING:
     from rimroll.ground.ground import Ground
 
+AFTER = 10.0
+"""How long a motion is followed after the end of the ground unless its duration is given, s."""
+
 MAX_STEPS = 2_000_000_000
 """The upper bound of max_steps: the largest number that the files of a motion can hold."""
 

@@ -25,7 +25,7 @@ from pydantic_core import ErrorDetails
 from rimroll import laws, solids, surfaces
 from rimroll.body import Body
 from rimroll.errors import RimrollError
-from rimroll.ground.described import AFTER, NUMBERS, Description
+from rimroll.ground.described import NUMBERS, Description
 from rimroll.ground.ground import Ground
 from rimroll.laws import (
     AirDrag,
@@ -41,6 +41,7 @@ from rimroll.motion.flat import FlatLanding, landing_given
 from rimroll.names import choose, nearest, typed
 from rimroll.options import Options
 from rimroll.scenario import (
+    AFTER,
     FILM,
     MAX_STEPS,
     RESISTANCES,
