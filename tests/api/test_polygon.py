@@ -82,7 +82,7 @@ def test_impossible_bodies_are_refused(arguments, reason):
     ("law", "options", "reason"),
     [
         (rr.Coulomb(0.3), {}, "NoSlip"),
-        (rr.NoSlip(), {"jacobian": True}, "takes no ground, flat or jacobian"),
+        (rr.NoSlip(), {"jacobian": True}, "takes no ground, flat, flat_gap or jacobian"),
         (rr.NoSlip(), {"topple_tilt": 2.0}, "topple_tilt"),
     ],
 )

@@ -140,7 +140,7 @@ def test_a_map_has_the_exact_turns_of_its_starts():
     ],
 )
 def test_a_map_refuses_a_bad_option_whether_it_is_stepped_or_not(law, option, message):
-    with pytest.raises(rr.RimrollError, match=f"^{message}"):
+    with pytest.raises(rr.RimrollError, match=rf"^(at \[0\]: )?{message}"):
         rr.turn_map(CAN, FLICK, law, [0.1, 0.2], [0.1], **option)
 
 

@@ -11,13 +11,13 @@ import numpy as np
 import pytest
 
 import rimroll as rr
-from rimroll import plot
 from rimroll.cli.outcomes import outcome, tables
 from rimroll.cli.request import Request
 from rimroll.cli.side_by_side import side_by_side
 from rimroll.figures import style
 from rimroll.laws import LAWS
 from rimroll.laws.shared import FRICTION, RESTITUTION, STATIC
+from rimroll.motion import figure as plots
 from rimroll.options import Options
 from rimroll.paper import setting
 
@@ -71,7 +71,7 @@ def panels_and_lenses(figure):
 
 @pytest.mark.parametrize("name", MOTIONS)
 def test_every_motion_has_its_nine_panels_with_units(name):
-    figure = plot.nine_panels(MOTIONS[name]())
+    figure = plots.nine_panels(MOTIONS[name]())
     panels, lenses = panels_and_lenses(figure)
     assert len(panels) == 9
     for ax in [*panels, *lenses]:
@@ -99,14 +99,14 @@ def test_every_motion_has_its_nine_panels_with_units(name):
 )
 def test_a_lens_is_there_when_the_near_collision_looks_like_a_step(name, lens):
     motion = MOTIONS[name]()
-    assert (plot.near_collision_window(motion) is not None) == lens
-    assert len(panels_and_lenses(plot.nine_panels(motion))[1]) == lens
+    assert (plots.near_collision_window(motion) is not None) == lens
+    assert len(panels_and_lenses(plots.nine_panels(motion))[1]) == lens
 
 
 @pytest.mark.parametrize("law", setting.LAWS)
 def test_the_lens_spans_twenty_collision_times_around_the_first_turn(law):
     composite = rr.composite(CAN, setting.start(), law, setting.GRAVITY)
-    window = plot.near_collision_window(setting.motion(law))
+    window = plots.near_collision_window(setting.motion(law))
     assert window.t == pytest.approx(composite.min_tilt_time, rel=1e-6)
     brief = composite.min_tilt / composite.tipping_rate
     assert window.half_width == pytest.approx(20.0 * brief, rel=2e-3)
@@ -114,7 +114,7 @@ def test_the_lens_spans_twenty_collision_times_around_the_first_turn(law):
 
 def test_the_yaw_inside_the_lens_stays_between_the_two_halves_of_the_limit():
     motion = setting.motion(rr.NoSlip())
-    (lens,) = panels_and_lenses(plot.nine_panels(motion))[1]
+    (lens,) = panels_and_lenses(plots.nine_panels(motion))[1]
     low, high, curve = (np.asarray(line.get_ydata()) for line in lens.lines)
     assert high[0] - low[0] == pytest.approx(rr.turn_limit(CAN, rr.NoSlip()), rel=1e-12, abs=0.0)
     assert low[0] < curve.min() and curve.max() < high[0]
@@ -123,7 +123,7 @@ def test_the_yaw_inside_the_lens_stays_between_the_two_halves_of_the_limit():
 
 
 def test_the_dashed_line_of_the_friction_panel_is_the_closed_form():
-    ax = plot.nine_panels(setting.motion(rr.NoSlip())).axes[7]
+    ax = plots.nine_panels(setting.motion(rr.NoSlip())).axes[7]
     needed = (
         CAN.mass * CAN.height * CAN.radius / (CAN.transverse_inertia + CAN.mass * CAN.height**2)
     )
@@ -139,7 +139,7 @@ def test_dotted_lines_are_the_friction_that_there_is():
         ("an oil film", []),
         ("the paper's", []),
     ):
-        ax = plot.nine_panels(MOTIONS[name]()).axes[7]
+        ax = plots.nine_panels(MOTIONS[name]()).axes[7]
         dotted = [line.get_ydata()[0] for line in ax.lines if line.get_linestyle() == ":"]
         assert dotted == expected
 
@@ -157,7 +157,7 @@ def test_a_new_law_of_friction_has_its_dotted_line(monkeypatch):
 
     monkeypatch.setitem(LAWS, "coulomb", Wax)
     motion = rr.simulate(CAN, rr.State(tilt=0.5, yaw_rate=0.1), Wax(0.3, 0.33), duration=0.1)
-    ax = plot.nine_panels(motion).axes[7]
+    ax = plots.nine_panels(motion).axes[7]
     dotted = [line.get_ydata()[0] for line in ax.lines if line.get_linestyle() == ":"]
     assert dotted == [0.3, 0.33]
 
@@ -165,15 +165,15 @@ def test_a_new_law_of_friction_has_its_dotted_line(monkeypatch):
 def test_sliding_is_shaded_where_it_alternates_with_rolling():
     motion = MOTIONS["sticking and slipping"]()
     sliding = [phase for phase in motion.phases if phase.kind == "sliding"]
-    for ax in plot.nine_panels(motion).axes[6:8]:
+    for ax in plots.nine_panels(motion).axes[6:8]:
         assert len(ax.patches) == len(sliding)
         assert ax.patches[0].get_x() == sliding[0].start
-    assert not plot.nine_panels(MOTIONS["the paper's"]()).axes[6].patches
+    assert not plots.nine_panels(MOTIONS["the paper's"]()).axes[6].patches
 
 
 def test_rates_and_forces_of_a_near_collision_are_drawn_on_stretched_axes_and_gentle_ones_are_not():
-    violent = plot.nine_panels(MOTIONS["the paper's"]()).axes
-    gentle = plot.nine_panels(MOTIONS["a steady wobble"]()).axes
+    violent = plots.nine_panels(MOTIONS["the paper's"]()).axes
+    gentle = plots.nine_panels(MOTIONS["a steady wobble"]()).axes
     assert [ax.get_yscale() for ax in violent[4:7]] == ["symlog"] * 3
     assert [ax.get_yscale() for ax in gentle] == ["linear"] * 9
 
@@ -188,7 +188,7 @@ def test_the_same_figure_is_the_same_file_and_the_settings_come_back():
     before = dict(mpl.rcParams)
     files = []
     for _ in range(2):
-        figure = plot.nine_panels(MOTIONS["falling face down"]())
+        figure = plots.nine_panels(MOTIONS["falling face down"]())
         file = io.BytesIO()
         with style.figure_style():
             figure.savefig(file, format="svg", metadata={"Date": None})

@@ -23,9 +23,9 @@ from rimroll.figures.animation.film import gif_pauses
 from rimroll.figures.animation.painter import Painter, Trail
 from rimroll.figures.animation.stage import Stage
 from rimroll.figures.scene import Array, Camera, Pose, Profile
+from rimroll.figures.scene.pose import turn_span, turn_spans
 from rimroll.figures.sequence import falling_figure, falling_times
 from rimroll.output import ensure_folder, writing
-from rimroll.turn_spans import turn_span, turn_spans
 
 
 @dataclass(frozen=True)

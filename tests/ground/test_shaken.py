@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import rimroll as rr
 from given.motions import CAN, PAPER_START, same_bits
 from given.strategies import examples
-from rimroll.motion.shaken import shaken_in_words
+from rimroll.motion.words import shaken_in_words
 
 COLUMN = rr.Body(
     mass=1000.0,
@@ -136,7 +136,7 @@ def test_rolling_carries_the_footprint_and_the_yaw_away():
     ground = rr.ground.sine((3.0, 1.5, 0.0), (1.2, 0.8, 1.0))
     motion = shaken(ground, rr.State(tilt=0.05, yaw=0.3), duration=2.0)
     fine = motion.samples(200)
-    path = rr.motion.shaken.footprint_of(fine, COLUMN)
+    path = rr.motion.moments.footprint_of(fine, COLUMN)
     along = np.stack([-np.sin(fine.yaw), np.cos(fine.yaw)], axis=-1)
     middle = 0.5 * (along[1:] + along[:-1])
     moved = COLUMN.radius * np.diff(fine.body_yaw)[:, None] * middle

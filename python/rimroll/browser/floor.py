@@ -8,7 +8,7 @@ from rimroll.browser.digits import Pairs, plain, shortest
 from rimroll.errors import RimrollError
 from rimroll.ground.ground import Ground
 from rimroll.ground.pulses import CALM
-from rimroll.motion.flat import FlatLanding
+from rimroll.options import FlatLanding
 from rimroll.state import State
 
 FLAT = ("stop", "smooth_left", "smooth_right", "housner")

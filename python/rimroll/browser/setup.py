@@ -20,7 +20,7 @@ from rimroll.browser.floor import floor_of
 from rimroll.errors import RimrollError, expect
 from rimroll.given import Number, number
 from rimroll.laws import Coulomb, Frictionless, Law, NoSlip, RollingResistance, one_law
-from rimroll.motion.flat import FlatLanding, ground_given, landing_given
+from rimroll.options import FlatLanding, ground_given, landing_given
 from rimroll.state import State, single
 
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ from rimroll.browser.setup_check import check
 from rimroll.errors import RimrollError
 from rimroll.given import Number, whole_number
 from rimroll.laws import Law
-from rimroll.motion.flat import FlatLanding
+from rimroll.options import FlatLanding
 from rimroll.output import writing
 from rimroll.state import State
 

@@ -14,7 +14,7 @@ from rimroll.cli.request import Request
 from rimroll.cli.screen import Bar
 from rimroll.ground.dataset import SAMPLES, TIMES
 from rimroll.motion import UNITS, Array, Moments, Motion
-from rimroll.motion.shaken import footprint_of
+from rimroll.motion.moments import footprint_of
 
 TWICE = "times may repeat where the contact changes: once as before, once as after"
 """A comment on the times in the files."""

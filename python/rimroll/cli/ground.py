@@ -15,8 +15,8 @@ from rimroll.cli.options import BodyOptions, MotionOptions, StartOptions, comple
 from rimroll.cli.request import Shaking, is_file
 from rimroll.errors import RimrollError
 from rimroll.ground.described import NUMBERS, PULSES, Description
-from rimroll.motion.flat import KINDS, ON_MOVING_TABLES, FlatLanding, flat_given
 from rimroll.names import typed
+from rimroll.options import KINDS, ON_MOVING_TABLES, FlatLanding, flat_given
 from rimroll.units import quantity
 
 _PULSES = [typed(name) for name in PULSES]

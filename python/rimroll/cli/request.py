@@ -21,9 +21,8 @@ from rimroll.cli.options import (
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import nudged
 from rimroll.given import positive
-from rimroll.motion.flat import FlatLanding, landing_given
 from rimroll.names import choose
-from rimroll.options import Options
+from rimroll.options import FlatLanding, Options, landing_given
 from rimroll.scenario import AFTER, Scenario, load, presets
 from rimroll.state import State
 from rimroll.units import START_UNIT_OF, UNIT_OF, quantity, size_of_body, tilt_angle

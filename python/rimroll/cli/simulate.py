@@ -30,7 +30,7 @@ from rimroll.cli.turn import body_line, show_turns, start_line
 from rimroll.endings import ending_in_words
 from rimroll.errors import RimrollError
 from rimroll.motion import Moments, Motion
-from rimroll.motion.shaken import shaken_in_words
+from rimroll.motion.words import shaken_in_words
 from rimroll.units import quantity
 
 MAX_POINTS = 10_000_000

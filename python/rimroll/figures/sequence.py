@@ -14,7 +14,7 @@ from matplotlib.patches import Patch
 
 from rimroll.figures import artists, scene
 from rimroll.figures.scene import Array, Camera, Motion, Pose, RoundBody
-from rimroll.turn_spans import Span, turn_span
+from rimroll.figures.scene.pose import Span, turn_span
 
 NAMES = ("a", "b", "b′", "c", "d", "e")
 HEAD, FOOT = 0.46, 0.34  # inches for the captions above and the legend below

@@ -1,8 +1,7 @@
 """Whole motions: simulate one, and read all its quantities."""
 
-from rimroll.motion.moments import UNITS, Array, Moments
+from rimroll.motion.moments import UNITS, Array, Event, Moments, Phase, Stats, Turn
 from rimroll.motion.motion import Motion
-from rimroll.motion.parts import Event, Phase, Stats, Turn
 from rimroll.motion.simulation import simulate
 from rimroll.motion.validity import Validity
 

@@ -9,9 +9,8 @@ from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError, callback, expect
 from rimroll.given import Number, number
 from rimroll.laws import Law, one_law
-from rimroll.motion.flat import ground_given
 from rimroll.motion.motion import Motion, follow
-from rimroll.options import Keywords, Options, takes_options
+from rimroll.options import Keywords, Options, ground_given, takes_options
 from rimroll.polygon.body import PolygonalBody
 from rimroll.state import State, single
 

@@ -37,9 +37,8 @@ from rimroll.laws import (
     RollingResistance,
     parameters_of,
 )
-from rimroll.motion.flat import FlatLanding, landing_given
 from rimroll.names import choose, nearest, typed
-from rimroll.options import Options
+from rimroll.options import FlatLanding, Options, landing_given
 from rimroll.scenario import (
     AFTER,
     FILM,

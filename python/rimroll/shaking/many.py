@@ -19,8 +19,14 @@ from rimroll.grid import is_labelled
 from rimroll.ground.ground import MAX_FACTOR, Ground
 from rimroll.laws import Law, OneLaw, contact_law
 from rimroll.many_columns import LOSSES, energy_lost, inputs, unless_stopped
-from rimroll.motion.flat import ON_MOVING_TABLES, flat_in_core, landing_given
-from rimroll.options import Keywords, Options, takes_options
+from rimroll.options import (
+    ON_MOVING_TABLES,
+    Keywords,
+    Options,
+    flat_in_core,
+    landing_given,
+    takes_options,
+)
 from rimroll.recorded import parameters
 from rimroll.rows import Rows, Starts
 from rimroll.shaking.scales import rocking_frequency_of, tilt_of_balance

@@ -13,8 +13,7 @@ from rimroll.body import Body
 from rimroll.experiment.release import Release
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law
-from rimroll.motion.flat import FlatLanding
-from rimroll.options import Options
+from rimroll.options import FlatLanding, Options
 from rimroll.scenario.tables import SimulationTable, checked, made, read_flat
 from rimroll.state import State
 from rimroll.study.bodies import BodyRows, bodies_of

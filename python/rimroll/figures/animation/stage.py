@@ -13,8 +13,8 @@ from rimroll.figures import scene
 from rimroll.figures.animation.clock import FilmClock, slowed
 from rimroll.figures.animation.painter import Painter, Trail
 from rimroll.figures.scene import Array, Camera, Motion, Pose, RoundBody
+from rimroll.figures.scene.pose import Span, turn_spans
 from rimroll.ground.ground import Ground
-from rimroll.turn_spans import Span, turn_spans
 
 POINT = 100.0 / 72.0  # pixels
 CAPTION, LABEL = 10.0, 9.0  # sizes of type, points

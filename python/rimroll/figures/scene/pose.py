@@ -1,13 +1,19 @@
-"""Where a body is, and what pictures need to know of bodies and motions."""
+"""Where a body is, its turns, and what pictures need to know of bodies and motions."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 import numpy.typing as npt
+
+from rimroll.errors import RimrollError
+
+if TYPE_CHECKING:
+    from rimroll.motion.moments import Turn
+
 
 Array = npt.NDArray[np.float64]
 Point = tuple[float, float, float]
@@ -131,3 +137,45 @@ def contact_path(states: States, body: RoundBody) -> Array:
     out = body.radius * np.cos(states.tilt) - body.height * np.sin(states.tilt)
     way = np.stack([np.cos(states.yaw), np.sin(states.yaw)], axis=-1)
     return np.asarray(states.center[:, :2] - out[:, None] * way)
+
+
+@dataclass(frozen=True)
+class Span:
+    """A turn: times of its start, tilt minimum and end, s; and its angle, rad.
+
+    Unlike the last of :attr:`rimroll.Motion.turns`, the last span may end early, as by toppling.
+    """
+
+    start: float
+    near: float
+    end: float
+    angle: float
+
+
+def turn_spans(motion: Motion) -> list[Span]:
+    """All turns of a motion, in order of time, from its events.
+
+    A motion of a body with corners has many small extrema, and knows its turns itself.
+    """
+    if getattr(motion.body, "corners", 0):
+        turns: list[Turn] = getattr(motion, "turns", [])
+        return [Span(turn.start, turn.t, turn.end, turn.angle) for turn in turns]
+    highest = ("tilt_max", "on_edge")
+    near = [float(event.t) for event in motion.events if event.kind == "tilt_min"]
+    high = np.array([float(event.t) for event in motion.events if event.kind in highest])
+    first, last = float(motion.t[0]), float(motion.t[-1])
+    spans = []
+    for t in near:
+        start, end = max(high[high < t], default=first), min(high[high > t], default=last)
+        yaw = motion.evaluate(np.array([start, end])).yaw
+        spans.append(Span(float(start), t, float(end), float(yaw[1] - yaw[0])))
+    return spans
+
+
+def turn_span(motion: Motion, turn: int = 0) -> Span:
+    """The turn numbered ``turn``; ``RimrollError`` if the motion has no such turn."""
+    spans = turn_spans(motion)
+    if not -len(spans) <= turn < len(spans):
+        count = f"{len(spans)} near collision{'' if len(spans) == 1 else 's'}"
+        raise RimrollError(f"turn is {turn}, but the motion has {count} (counted from 0)")
+    return spans[turn]

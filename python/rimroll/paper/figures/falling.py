@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 
 from rimroll.figures import style
+from rimroll.figures.scene.pose import turn_span
 from rimroll.figures.sequence import falling_figure
 from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import Motion, simulate
@@ -15,7 +16,6 @@ from rimroll.paper.drawing import Drawing
 from rimroll.paper.setting import MEASURED
 from rimroll.state import State
 from rimroll.theory import turn_limit
-from rimroll.turn_spans import turn_span
 
 FLICKED = State(tilt=np.radians(20.0), tilt_rate=-4.5, yaw_rate=0.02, spin_rate=0.02)
 """The can tipped by 20° and flicked upright, hard enough to fall over on the other side."""

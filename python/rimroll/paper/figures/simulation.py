@@ -7,9 +7,9 @@ import numpy as np
 from rimroll.figures import style
 from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import Motion
+from rimroll.motion.figure import nine_panels
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing
-from rimroll.plot import nine_panels
 from rimroll.theory import needed_friction, turn_limit
 
 

@@ -1,7 +1,8 @@
-"""The paper's simulation figure for any motion: nine panels, and the near-collision magnified."""
+"""The figures of a motion: the paper's nine panels, and those of a body on a table that moves."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -9,14 +10,18 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, SymmetricalLogLocator
+from numpy.typing import ArrayLike
 
 from rimroll.figures import style
 from rimroll.laws import NoSlip, has_one_limit
-from rimroll.theory import needed_friction, turn_limit
+from rimroll.motion.moments import footprint_of
+from rimroll.theory import balance_tilt, needed_friction, turn_limit
 
 if TYPE_CHECKING:
+    from rimroll.ground.ground import Ground
     from rimroll.motion.moments import Array, Moments
-    from rimroll.motion.motion import Motion
+    from rimroll.motion.trajectory import Trajectory
+
 
 TIME_UNITS = (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9), ("ps", 1e-12), ("fs", 1e-15))
 
@@ -37,7 +42,7 @@ class NearCollisionWindow:
     yaw: float
 
 
-def near_collision_window(motion: Motion) -> NearCollisionWindow | None:
+def near_collision_window(motion: Trajectory) -> NearCollisionWindow | None:
     """The first near-collision, ±20 φ_c/ω; None if none is too brief to be seen without a lens."""
     for event in motion.events:
         rate = abs(float(event.state.yaw_rate))
@@ -52,7 +57,7 @@ def near_collision_window(motion: Motion) -> NearCollisionWindow | None:
     return None
 
 
-def nine_panels(motion: Motion) -> Figure:
+def nine_panels(motion: Trajectory) -> Figure:
     """Draw tilt, yaw, spin, their rates, the forces, their ratio, and yaw rate against spin rate.
 
     Time runs along eight of the panels, in s; angles are in rad, forces in N. A lens in the yaw's
@@ -90,7 +95,7 @@ def _draw_angles(row: Array, moments: Moments, color: str) -> None:
         style.label(ax, letter, name, "time $t$ (s)", f"${symbol}$ (rad)")
 
 
-def _draw_rates(row: Array, motion: Motion, moments: Moments, color: str) -> None:
+def _draw_rates(row: Array, motion: Trajectory, moments: Moments, color: str) -> None:
     usual = _evenly(motion)
     for ax, letter, name, symbol, column in (
         (row[0], "d", "tilt rate", "φ", "tilt_rate"),
@@ -102,7 +107,7 @@ def _draw_rates(row: Array, motion: Motion, moments: Moments, color: str) -> Non
         _stretch(ax, moments[column], usual[column])
 
 
-def _draw_forces(ax: Axes, motion: Motion, moments: Moments, color: str) -> None:
+def _draw_forces(ax: Axes, motion: Trajectory, moments: Moments, color: str) -> None:
     friction = np.hypot(*moments.friction_force.T)
     ax.plot(moments.t, moments.normal_force, color=style.NORMAL_FORCE, lw=0.8, label="normal, $N$")
     ax.plot(moments.t, friction, color=color, label="friction, |$T$|")
@@ -113,7 +118,7 @@ def _draw_forces(ax: Axes, motion: Motion, moments: Moments, color: str) -> None
     ax.legend(loc="upper center", ncols=2, handlelength=1.4, columnspacing=1.2)
 
 
-def shade_phases(ax: Axes, motion: Motion) -> None:
+def shade_phases(ax: Axes, motion: Trajectory) -> None:
     """Colour the stretches of a motion with stick and slip in which the rim slides, or flies."""
     if len(motion.phases) < 2:
         return
@@ -124,7 +129,7 @@ def shade_phases(ax: Axes, motion: Motion) -> None:
             ax.axvspan(phase.start, phase.end, fc="none", ec="#CCCCCC", hatch="////", lw=0)
 
 
-def _draw_ratio(ax: Axes, motion: Motion, moments: Moments, color: str) -> None:
+def _draw_ratio(ax: Axes, motion: Trajectory, moments: Moments, color: str) -> None:
     needed = needed_friction(motion.body)
     ax.axhline(needed, color=style.THEORY, ls="--", lw=0.8, label=f"$μ^*$ = {needed:.4f}")
     there_is = _friction_there_is(motion)
@@ -140,7 +145,7 @@ def _draw_ratio(ax: Axes, motion: Motion, moments: Moments, color: str) -> None:
     ax.legend(loc="upper right", ncols=2, columnspacing=1.2, handlelength=1.5)
 
 
-def _friction_there_is(motion: Motion) -> dict[str, float]:
+def _friction_there_is(motion: Trajectory) -> dict[str, float]:
     """The parameters ``friction`` and ``static`` of a law that has the first, by their symbols."""
     friction = getattr(motion.law, "friction", None)
     static = getattr(motion.law, "static", None)
@@ -167,7 +172,7 @@ def _power(values: Array) -> int:
     return 3 * int(np.floor(np.log10(peak) / 3.0)) if peak > 0.0 else 0
 
 
-def _evenly(motion: Motion) -> Moments:
+def _evenly(motion: Trajectory) -> Moments:
     """The motion at even times: its usual sizes, not those of the moments when it is fast."""
     return motion.evaluate(np.linspace(0.0, float(motion.t[-1]), 201))
 
@@ -196,7 +201,7 @@ def _headroom(ax: Axes) -> None:
     ax.set_ylim(top=float(scale.inverted().transform(np.array([high + 0.2 * (high - low)]))[0]))
 
 
-def _room(ax: Axes, motion: Motion) -> tuple[float, float]:
+def _room(ax: Axes, motion: Trajectory) -> tuple[float, float]:
     """Where in the yaw's panel the curve leaves the most room for a lens, in parts of the panel."""
     even = _evenly(motion)
     x = even.t / float(motion.t[-1])
@@ -215,7 +220,7 @@ def _room(ax: Axes, motion: Motion) -> tuple[float, float]:
     return min(corners, key=covered)
 
 
-def _magnify(ax: Axes, motion: Motion, color: str) -> None:
+def _magnify(ax: Axes, motion: Trajectory, color: str) -> None:
     """Put a lens on the step of the yaw where the staircase leaves room for it."""
     window = near_collision_window(motion)
     if window is None:
@@ -235,3 +240,128 @@ def _magnify(ax: Axes, motion: Motion, color: str) -> None:
     lens.set_xlabel(f"$t$ − {window.t:.3f} s ({unit})", fontsize=6.0, labelpad=1.0)
     lens.set_ylabel("$ψ$ (rad)", fontsize=6.0, labelpad=0.5)
     lens.spines[["top", "right"]].set_visible(True)
+
+
+AXES = tuple(zip("xyz", style.SERIES[:3], ("-", "--", "-."), strict=True))
+
+MARKS = {
+    "uplift": ("^", "uplift"),
+    "stand": ("s", "stands again"),
+    "face_down": ("v", "comes down flat"),
+    "lift_off": ("d", "lifts off"),
+    "topple": ("X", "topples"),
+}
+"""The events that are marked: their markers and words."""
+
+UPRIGHT = 1.5
+"""Balance tilts up to which the panel of the tilt reaches for a body that overturns."""
+
+
+def shaken_figure(motion: Trajectory) -> Figure:
+    """Draw the acceleration of the ground, the tilt, the heading of the body and its footprint.
+
+    Time runs along four of the panels, in s. The tilt is in degrees, and over the balance tilt on
+    a second scale, which ends at 1.5 if the body overturns. Events are marked on the tilt, and the
+    rim slides where its panel is shaded, flies where it is hatched. The footprint's centre moves
+    on the table from the full circle at the start to the dashed one at the end.
+    """
+    assert motion.ground is not None
+    moments = motion.samples(4)
+    path = footprint_of(moments, motion.body)
+    end = float(motion.t[-1]) or 1.0
+    color = motion.law.color
+    with style.figure_style():
+        figure = style.page(120.0)
+        panels = figure.subplot_mosaic(
+            [["a", "d"], ["b", "d"], ["c", "e"]], width_ratios=[1.6, 1], height_ratios=[1, 1.5, 0.9]
+        )
+        _draw_ground(panels["a"], motion.ground, end)
+        _draw_tilt(panels["b"], motion, moments)
+        panels["c"].plot(moments.t, np.degrees(moments.body_yaw), color=color)
+        style.label(panels["c"], "c", "heading of the body", "time $t$ (s)", "$ψ$ + $θ$ (°)")
+        _draw_footprint(panels["d"], motion, path)
+        for column, (axis, tone, dashes) in enumerate(AXES[:2]):
+            panels["e"].plot(moments.t, path[:, column], dashes, color=tone, label=axis, lw=0.9)
+        style.label(panels["e"], "e", "centre of the footprint", "time $t$ (s)", "$x$, $y$ (m)")
+        panels["e"].legend(loc="best", ncols=2)
+        for letter in "abce":
+            panels[letter].set_xlim(0.0, end)
+    return figure
+
+
+def _draw_ground(ax: Axes, ground: Ground, end: float) -> None:
+    lines = ground._lines
+    for column, (axis, color, dashes) in enumerate(AXES):
+        if lines.acceleration[:, column].any():
+            t = np.concatenate([lines.t, [lines.t[-1], max(end, lines.t[-1])]])
+            values = np.concatenate([lines.acceleration[:, column], [0.0, 0.0]])
+            ax.plot(t, values, dashes, color=color, label=axis, lw=0.8)
+    style.label(ax, "a", "acceleration of the ground", "", "$a$ (m/s²)")
+    if ax.get_legend_handles_labels()[0]:
+        ax.legend(loc="upper right", ncols=3)
+
+
+def _draw_tilt(ax: Axes, motion: Trajectory, moments: Moments) -> None:
+    balance = math.degrees(float(balance_tilt(motion.body)))
+    top = balance * _highest_ratio(motion)
+    ax.plot(moments.t, np.degrees(moments.tilt), color=motion.law.color, lw=0.9)
+    ax.axhline(balance, color=style.THEORY, ls="--", lw=0.7)
+    ax.set_ylim(-0.06 * top, top)
+    for kind, (marker, words) in MARKS.items():
+        found = [event for event in motion.events if event.kind == kind]
+        if found:
+            tilts = [min(math.degrees(event.state.tilt), 0.97 * top) for event in found]
+            times = [event.t for event in found]
+            face = "none" if kind == "uplift" else "white"
+            ax.plot(
+                times,
+                tilts,
+                marker,
+                color=style.THEORY,
+                mfc=face,
+                label=words,
+                zorder=3,
+                clip_on=False,
+            )
+    shade_phases(ax, motion)
+    slides = any(phase.kind.startswith("sliding") for phase in motion.phases)
+    style.label(ax, "b", "tilt" + (", sliding shaded" if slides else ""), "", "$φ$ (°)")
+
+    def over_balance(tilt: ArrayLike) -> ArrayLike:
+        return np.asarray(tilt) / balance
+
+    def in_degrees(ratio: ArrayLike) -> ArrayLike:
+        return np.asarray(ratio) * balance
+
+    second = ax.secondary_yaxis("right", functions=(over_balance, in_degrees))
+    second.set_ylabel("over the balance tilt (1)")
+    second.spines["right"].set_visible(True)
+    if ax.get_legend_handles_labels()[0]:
+        ax.legend(loc="upper left", ncols=3, handlelength=1.0, columnspacing=1.2)
+
+
+def _highest_ratio(motion: Trajectory) -> float:
+    """The top of the tilt's panel over the balance tilt, with room for the legend."""
+    largest = motion.max_tilt_ratio
+    if motion.overturned:
+        return UPRIGHT
+    return 1.3 * largest if 1e-6 < largest < 0.5 else max(1.3, 1.3 * largest)
+
+
+def _draw_footprint(ax: Axes, motion: Trajectory, path: Array) -> None:
+    around = np.linspace(0.0, 2.0 * np.pi, 181)
+    rim = motion.body.radius * np.stack([np.cos(around), np.sin(around)], axis=-1)
+    color = motion.law.color
+    last = "when it overturned" if motion.overturned else "at the end"
+    for place, dashes, words in ((path[0], "-", "at the start"), (path[-1], "--", last)):
+        ax.plot(*(place + rim).T, dashes, color=style.CONTRAST, lw=0.8, label=words)
+    ax.plot(*path.T, color=color, lw=0.9, label="path of its centre")
+    ax.plot(*path[0], "o", color=color)
+    ax.plot(*path[-1], "X" if motion.overturned else "s", color=color, mfc="white")
+    middle = 0.5 * (path.min(axis=0) + path.max(axis=0))
+    half = 1.12 * (0.5 * float(np.ptp(path, axis=0).max()) + motion.body.radius)
+    ax.set_xlim(middle[0] - half, middle[0] + half)
+    ax.set_ylim(middle[1] - half, middle[1] + 1.25 * half)
+    ax.set_aspect("equal", adjustable="box")
+    style.label(ax, "d", "footprint", "$x$ (m)", "$y$ (m)")
+    ax.legend(loc="upper left", ncols=1, labelspacing=0.2)

@@ -1,43 +1,19 @@
-"""What became of a body on a table that moved: overturning, uplift, largest tilt, what is left."""
+"""What became of a body on a table that moved in words, and the view of a motion in notebooks."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from html import escape
 
 import numpy as np
 
-from rimroll.body import Body
 from rimroll.endings import STATUSES
-from rimroll.motion.moments import Array, Moments
+from rimroll.figures.notebook import table
+from rimroll.motion.moments import TURN_HEAD, turn_cells
+from rimroll.motion.trajectory import Trajectory
 from rimroll.theory import balance_tilt
 
-if TYPE_CHECKING:
-    from rimroll.motion.motion import Motion
 
-
-def footprint_of(moments: Moments, body: Body) -> Array:
-    """Centre of the footprint (x, y), m, shape (n, 2): R from the contact point toward the axis.
-
-    It is the centre of the circle on which the base would stand if the body turned upright about
-    the contact point. Rocking about a point of the rim does not move it; rolling and sliding do.
-    """
-    heading = np.stack([np.cos(moments.yaw), np.sin(moments.yaw)], axis=-1)
-    return np.asarray(moments.contact_path + body.radius * heading)
-
-
-def largest_tilt(motion: Motion) -> float:
-    """The largest tilt, rad: that at a maximum, an impact or an end, as the core finds it."""
-    highest = [event.state.tilt for event in motion.events if event.kind in ("tilt_max", "land")]
-    toppled = [event.state.tilt for event in motion.events if event.kind == "topple"]
-    return max(float(motion.tilt[0]), *highest, *toppled or [float(motion.tilt[-1])])
-
-
-def first_uplift(motion: Motion) -> float | None:
-    """The time at which a body that stood flat first began to rock, s."""
-    return next((event.t for event in motion.events if event.kind == "uplift"), None)
-
-
-def shaken_in_words(motion: Motion) -> str:
+def shaken_in_words(motion: Trajectory) -> str:
     """The ground, and what became of the body on it, in sentences with angles in degrees."""
     sentences = []
     if motion.ground is not None:
@@ -58,7 +34,7 @@ def shaken_in_words(motion: Motion) -> str:
     return " ".join(sentences)
 
 
-def _why_undecided(motion: Motion) -> str:
+def _why_undecided(motion: Trajectory) -> str:
     end, ground = float(motion.t[-1]), motion.ground
     if motion.status != "finished":
         return f"the motion stopped at {end:.6g} s, where the body {STATUSES[motion.status]}"
@@ -68,7 +44,7 @@ def _why_undecided(motion: Motion) -> str:
     return f"at the end, at a tilt of {tilt:.4g}°, it can still pass its balance tilt"
 
 
-def _end_in_words(motion: Motion) -> str:
+def _end_in_words(motion: Trajectory) -> str:
     """Where a body that has not overturned is at the end, or why that is not determined."""
     end = float(motion.t[-1])
     displacement, yaw = motion.residual_displacement, motion.residual_yaw
@@ -103,7 +79,7 @@ def _end_in_words(motion: Motion) -> str:
     )
 
 
-def _uplift_in_words(motion: Motion) -> str:
+def _uplift_in_words(motion: Trajectory) -> str:
     if motion.uplift_time is not None:
         return f"The body was lifted at {motion.uplift_time:.6g} s."
     if motion.start.is_knocked:
@@ -111,3 +87,30 @@ def _uplift_in_words(motion: Motion) -> str:
     if motion.start.tilt > 0.0:
         return "The body leaned at the start."
     return "The body was never lifted."
+
+
+SHOWN = 6  # turns of a motion
+
+
+def motion_in_html(motion: Trajectory) -> str:
+    """The ending of a motion, its first turns as a table in degrees, and what it lost."""
+    rows = [(str(number), *turn_cells(turn)) for number, turn in enumerate(motion.turns[:SHOWN], 1)]
+    head = f"<p><b>Motion</b>, {escape(repr(motion.law))}: {escape(motion.message)}</p>"
+    ground = f"<p>{escape(shaken_in_words(motion))}</p>" if motion.ground is not None else ""
+    more = len(motion.turns) - len(rows)
+    turns = table(rows, ("turn", *TURN_HEAD)) if rows else "<p>no turns</p>"
+    rest = f"<p>and {more} more turns</p>" if more else ""
+    return f"<div>{head}{ground}{turns}{rest}{_losses(motion)}</div>"
+
+
+def _losses(motion: Trajectory) -> str:
+    """The energy that was lost by the end, J, by cause."""
+    lost = ", ".join(
+        f"{loss[-1]:.4g} J to {name}"
+        for name, loss in (
+            ("friction", motion.friction_loss),
+            ("resistances", motion.resistance_loss),
+            ("impacts", motion.impact_loss),
+        )
+    )
+    return f"<p>lost: {lost}</p>"
