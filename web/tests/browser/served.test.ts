@@ -36,7 +36,7 @@ test("starts, computes and shows all parts", async () => {
   await page.getByLabel("A pulse").check();
   await page.getByText("The floor moves by up to").first().waitFor();
   // Its policy allows the worker that computes long motions.
-  const still = page.getByText("is still being computed");
+  const still = page.locator(".ended").getByText("is still being computed");
   await page.evaluate(() => (location.hash = "body=coin"));
   await Promise.all([page.waitForEvent("worker"), still.waitFor()]);
   await still.waitFor({ state: "detached" });
