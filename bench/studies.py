@@ -28,7 +28,7 @@ import numpy as np
 from contest.contestants import ROOT
 
 import rimroll as rr
-from rimroll.study.size import in_bytes
+from rimroll.study.plan import in_bytes
 
 ROUNDS = 5
 ROWS = 1_000_000

@@ -31,17 +31,17 @@ def pause():
         while reached.exists():
             time.sleep(0.02)
 
-    from rimroll.study.marks import Marks
-    from rimroll.study.study import Study
+    from rimroll.study.chunks import Marks
+    from rimroll.study.plan import Plan
 
-    owner, name = {"compute": (Study, "computed"), "mark": (Marks, "add")}[where]
+    owner, name = {"compute": (Plan, "compute"), "mark": (Marks, "add")}[where]
     usual = getattr(owner, name)
 
-    def stopping(self, *arguments):
+    def stopping(self, *arguments, **options):
         # A mark is not yet written, a chunk not yet computed: only after what was planned.
         if where == "mark" or arguments[0] > 0:
             stop()
-        return usual(self, *arguments)
+        return usual(self, *arguments, **options)
 
     setattr(owner, name, stopping)
 

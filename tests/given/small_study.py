@@ -55,7 +55,7 @@ def rimroll(*arguments, **options):
 
 def in_process(file, **options):
     """Compute what is not done of a study in this process; return its store."""
-    from rimroll.study.runner import run
+    from rimroll.study.run import run
     from rimroll.study.study import Study
 
     return run(Study.from_file(file).plan(), file.with_suffix(".zarr"), **options)
@@ -63,7 +63,7 @@ def in_process(file, **options):
 
 def done(file):
     """The chunks of a study that are done."""
-    from rimroll.study.marks import Marks
+    from rimroll.study.chunks import Marks
 
     folder = file.with_suffix(".zarr") / "done"
     return Marks(folder).done() if folder.is_dir() else set()

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from given.strategies import examples
-from rimroll.study.blocks import Blocks
+from rimroll.study.columns import Blocks
 
 shapes = st.lists(st.integers(1, 12), max_size=4).map(tuple)
 

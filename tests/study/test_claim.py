@@ -11,12 +11,12 @@ import pytest
 from given.ctrl_c import needs_signals
 from given.small_study import with_tests
 from rimroll.errors import RimrollError
-from rimroll.study.claim import at_work, claimed
+from rimroll.study.run import at_work, claimed
 
 HOLD = """
 import sys
 from pathlib import Path
-from rimroll.study.claim import claimed
+from rimroll.study.run import claimed
 folder, *spans = sys.argv[1:]
 from contextlib import ExitStack
 with ExitStack() as stack:
@@ -67,7 +67,7 @@ def test_a_process_holds_chunks_once(tmp_path):
 
 def test_locks_of_a_process_outlive_a_look_at_them_and_other_runs_of_it(tmp_path):
     look = (
-        "import sys; from pathlib import Path; from rimroll.study.claim import at_work;"
+        "import sys; from pathlib import Path; from rimroll.study.run import at_work;"
         "print(*at_work(Path(sys.argv[1])), sep='\\n')"
     )
     with claimed(tmp_path, 0, 4):

@@ -9,8 +9,8 @@ from given.ctrl_c import needs_signals
 from given.dask_programs import client, pausing, scheduler, worker
 from given.small_study import CHUNKS, done, in_process, rimroll, until, written
 from rimroll.study.cluster import _Tasks
+from rimroll.study.status import verify
 from rimroll.study.study import Study
-from rimroll.study.verify import verify
 from rimroll.study.versions import build
 
 pytestmark = [needs_signals, pytest.mark.slow]

@@ -21,8 +21,8 @@ from given.small_study import (
     written,
 )
 from rimroll.errors import RimrollError
-from rimroll.study.storage import StoreError, as_store_errors
-from rimroll.study.verify import verify
+from rimroll.study.chunks import StoreError, as_store_errors
+from rimroll.study.status import verify
 
 pytestmark = needs_signals
 
@@ -132,7 +132,7 @@ def test_jobs_of_an_array_that_start_at_once_fill_one_store(file, tmp_path):
 FULL = """
 import resource, signal, sys
 from rimroll.cli import main
-from rimroll.study.marks import Marks
+from rimroll.study.chunks import Marks
 usual = Marks.add
 
 def add(self, chunk, mark):

@@ -190,16 +190,16 @@ def test_fits_depend_on_no_chunk_and_find_the_friction(fits):
 
 @pytest.mark.slow
 def test_an_experiment_is_fitted_as_by_fit(fits, monkeypatch):
-    from rimroll.study.kinds import fit
+    from rimroll.study import kinds
 
     given = []
 
-    class Spied(fit.Likelihood):
+    class Spied(kinds.Likelihood):
         def __init__(self, predicted, directions):
             given.append((predicted, directions))
             super().__init__(predicted, directions)
 
-    monkeypatch.setattr(fit, "Likelihood", Spied)
+    monkeypatch.setattr(kinds, "Likelihood", Spied)
     found = fits.compute(6, 7)
     ((predicted, directions),) = given
     fitted = rr.fit(predicted.body, directions, predicted=predicted)

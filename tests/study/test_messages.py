@@ -242,6 +242,6 @@ def test_a_value_that_is_refused_names_its_row_and_its_chunk(tmp_path, monkeypat
     row = int(np.flatnonzero(static < friction)[0])
     with pytest.raises(RimrollError, match=rf"^row {row}: \[law\] static must be between friction"):
         study.plan()
-    monkeypatch.setattr("rimroll.study.planning.TRIED", 1)
+    monkeypatch.setattr("rimroll.study.plan.TRIED", 1)
     with pytest.raises(RimrollError, match=rf"^chunk {row // 5}: row {row}: \[law\] static must"):
         study.run(tmp_path / "slips.zarr")

@@ -14,7 +14,7 @@ import pytest
 from given.ctrl_c import needs_signals
 from given.dask_programs import client, pausing, scheduler
 from given.small_study import done, hash_in, in_process, rimroll, until, written
-from rimroll.study.verify import verify
+from rimroll.study.status import verify
 
 # test_cluster.py guards each loss apart.
 pytestmark = [needs_signals, pytest.mark.soak]

@@ -13,8 +13,8 @@ import rimroll as rr
 from given.strategies import examples
 from rimroll.errors import RimrollError
 from rimroll.study.description import described
-from rimroll.study.grounds import _read_once
 from rimroll.study.plan import Plan
+from rimroll.study.setups import _read_ground_once
 
 START = rr.State(tilt="30 deg", tilt_rate=-0.5, yaw_rate=0.005)
 
@@ -92,7 +92,7 @@ def test_a_plan_survives_pickling_and_json():
     columns = plan.compute(30, 50)
     for again in (
         pickle.loads(pickle.dumps(plan)),
-        rr.Study.from_dict(json.loads(json.dumps(plan.study.to_dict()))).plan(),
+        rr.Study.from_dict(json.loads(json.dumps(plan.content))).plan(),
     ):
         assert again.attrs == plan.attrs
         for name, column in again.compute(30, 50).items():
@@ -141,7 +141,7 @@ def test_a_record_that_is_edited_is_read_anew_and_not_in_the_middle_of_a_plan(tm
     assert strong.compute(0, 1)["max_tilt"] > tilt
     assert weak.compute(0, 1)["max_tilt"] == tilt
     write(6.0)
-    _read_once.cache_clear()
+    _read_ground_once.cache_clear()
     with pytest.raises(RimrollError, match=r"quake\.csv has changed since the study was planned"):
         weak.compute(0, 1)
 

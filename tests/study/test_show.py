@@ -9,8 +9,8 @@ import pytest
 import rimroll as rr
 from rimroll.cli import main
 from rimroll.errors import RimrollError
-from rimroll.study.dataset import dataset_of
 from rimroll.study.figures import study_figure
+from rimroll.study.plan import dataset_of
 from rimroll.study.quantities import names, quantity_of
 
 FILE = """

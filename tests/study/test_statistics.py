@@ -12,8 +12,7 @@ from hypothesis import strategies as st
 
 import rimroll as rr
 from given.strategies import examples
-from rimroll.study.exact_sum import added, mean, sums, whole
-from rimroll.study.statistics import HEADER
+from rimroll.study.statistics import HEADER, added, mean, sums, whole
 
 
 def flicks():

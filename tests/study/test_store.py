@@ -24,9 +24,10 @@ from given.small_study import (
     written,
 )
 from rimroll.cli import main
-from rimroll.study.storage import StoreError
+from rimroll.study.chunks import StoreError
+from rimroll.study.plan import Plan
+from rimroll.study.status import verify
 from rimroll.study.store import Store
-from rimroll.study.verify import verify
 
 
 @pytest.fixture
@@ -107,13 +108,13 @@ def test_a_study_is_resumed_where_it_was_stopped(file, tmp_path, monkeypatch):
     assert verify(Store(file.with_suffix(".zarr"))).missing == [0, 1, 2, *range(8, CHUNKS)]
     in_process(file, chunks=range(5, 9))
     computed = []
-    usual = rr.Study.computed
+    usual = Plan.compute
 
-    def noting(self, first, *more):
+    def noting(self, first, *more, **options):
         computed.append(first)
-        return usual(self, first, *more)
+        return usual(self, first, *more, **options)
 
-    monkeypatch.setattr(rr.Study, "computed", noting)
+    monkeypatch.setattr(Plan, "compute", noting)
     assert verify(in_process(file)).sha256 == whole
     assert computed == [10 * chunk for chunk in (0, 1, 2, *range(9, CHUNKS))]
     in_process(file)

@@ -6,7 +6,7 @@ import threading
 import pytest
 
 from given.ctrl_c import needs_signals
-from rimroll.study.uninterrupted import uninterrupted
+from rimroll.study.work import uninterrupted
 
 pytestmark = needs_signals
 

@@ -18,16 +18,21 @@ class Commands(Sparing, TyperGroup):
     """A group that knows its commands by name until one is called."""
 
     package: ClassVar[str]
-    """The package that has a module for each command."""
+    """The package that has the commands."""
+    module: ClassVar[str | None]
+    """Its module with all of them; by default each has a module of its name."""
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
         name, command, rest = super().resolve_command(ctx, args)
-        return name, command and loaded(self.package, str(command.name)), rest
+        return name, command and loaded(self.package, str(command.name), self.module), rest
 
 
-def group(package: str, commands: Mapping[str, str]) -> typer.Typer:
-    """A group of commands by name, each with the first line of its help."""
-    kind = type("Commands", (Commands,), {"package": package})
+def group(package: str, commands: Mapping[str, str], *, module: str | None = None) -> typer.Typer:
+    """A group of commands by name, each with the first line of its help.
+
+    Each is a function of its name, in the module of that name or in one module for all.
+    """
+    kind = type("Commands", (Commands,), {"package": package, "module": module})
     app = typer.Typer(
         cls=kind,
         rich_markup_mode=None,
@@ -39,10 +44,10 @@ def group(package: str, commands: Mapping[str, str]) -> typer.Typer:
     return app
 
 
-def loaded(package: str, name: str) -> Any:
+def loaded(package: str, name: str, module: str | None = None) -> Any:
     """The command of that name, or the group of commands, its module loaded."""
-    module: ModuleType = import_module(f"{package}.{name}")
-    return get_command(module.app) if hasattr(module, "app") else made(getattr(module, name))
+    home: ModuleType = import_module(f"{package}.{module or name}")
+    return get_command(home.app) if hasattr(home, "app") else made(getattr(home, name))
 
 
 def _named_only() -> None:

@@ -18,17 +18,14 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import lru_cache
 from itertools import islice
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from rimroll.errors import RimrollError
-from rimroll.study.size import processors
-from rimroll.study.storage import StoreError
+from rimroll.study.chunks import StoreError
+from rimroll.study.plan import Plan, plan_of, processors
 from rimroll.study.store import Store
 from rimroll.study.versions import difference, versions
-from rimroll.study.work import work
-
-if TYPE_CHECKING:
-    from rimroll.study.plan import Plan
+from rimroll.study.work import Unfinished, work
 
 PATIENCE = 5.0
 """How long (s) a scheduler may take to answer."""
@@ -47,6 +44,13 @@ TRIES = 3
 
 MAX_FAILURES = 10
 """The number of failed chunks that ends a run: the others would probably fail, too."""
+
+IGNORE_INTERRUPTS = """
+import signal, threading
+if threading.current_thread() is threading.main_thread():
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+"""
+"""Local workers run this first: a terminal sends Ctrl-C to them, too, and the client ends them."""
 
 Found = dict[str, str]
 """What a task returns: nothing, or ``stop`` and a reason why no other task should be tried."""
@@ -73,7 +77,7 @@ def connected(
                     threads_per_worker=max(1, cores // workers),
                     dashboard_address="127.0.0.1:0",
                     silence_logs=logging.CRITICAL,
-                    preload=["rimroll.study.ignore_interrupts"],
+                    preload=[IGNORE_INTERRUPTS],
                 )
             )
         client = stack.enter_context(_client(address))
@@ -142,8 +146,6 @@ def compute(
     finally:
         tasks.forget()
     if failed:
-        from rimroll.study.runner import Unfinished
-
         names = ", ".join(map(str, sorted(failed)))
         raise Unfinished(
             f"chunks {names} failed, the first one because {next(iter(failed.values()))}; what is"
@@ -168,7 +170,7 @@ class _Tasks:
         self._client = client
         self._marks = store.marks
         self._ended: queue.SimpleQueue[int] = queue.SimpleQueue()
-        content = json.dumps(plan.study.to_dict())
+        content = json.dumps(plan.content)
         self._task = (os.fspath(store.path.resolve()), store.identity, content, wanted)
         self._name = f"rimroll-{store.identity}-{os.urandom(4).hex()}"
 
@@ -250,12 +252,10 @@ def task(path: str, identity: str, content: str, wanted: Mapping[str, str], chun
 @lru_cache(maxsize=2)
 def _opened(path: str, identity: str, content: str) -> tuple[Store, Plan]:
     """The store of a task and its plan; ``StoreError`` if another store lies there."""
-    from rimroll.study.study import study_of
-
     store = Store(path)
     if store.identity != identity:
         raise StoreError(f"{path} is another store here")
-    plan = study_of(content).plan()
+    plan = plan_of(json.loads(content))
     store.expect_study(plan)  # versions are those that the client accepts
     return store, plan
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -18,14 +17,11 @@ from rimroll.given import random_seed
 from rimroll.names import nearest
 from rimroll.scenario import FILM
 from rimroll.scenario.tables import SimulationTable, Table, as_toml, checked, made, readable
-from rimroll.study.axes import Axis, Described
+from rimroll.study.axes import Axis, Described, targets, unit_of
+from rimroll.study.columns import TRIAL
 from rimroll.study.draws import OWN, Random, Sampling
-from rimroll.study.given import Block, Given
-from rimroll.study.grounds import records_of
 from rimroll.study.kinds import KINDS, Kind
-from rimroll.study.plan import TRIAL
-from rimroll.study.starts import STATE
-from rimroll.study.targets import targets, unit_of
+from rimroll.study.setups import STATE, Block, Given, records_of
 from rimroll.units import quantity
 
 CASE = "case"
@@ -84,15 +80,16 @@ class Description:
     title: str | None
     store: str | None
     folder: Path
+    records: Mapping[str, str] = field(default_factory=dict)
+    """The SHA-256 of each record when the study was planned, by its name in the study."""
 
-    @cached_property
-    def records(self) -> Mapping[str, str]:
-        """The SHA-256 of each record when it was first asked for, by its name in the study."""
+    def with_records(self) -> Description:
+        """The same with the records of this moment; ``RimrollError`` for one that is not there."""
         tables = [] if self.tables["ground"] is None else [self.tables["ground"]]
         for axis in self.axes:
             if axis.of in ("ground", "ground.record"):
                 tables += axis.values
-        return records_of(tables, self.folder)
+        return replace(self, records=records_of(tables, self.folder))
 
     @property
     def rows(self) -> int:

@@ -14,7 +14,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 from rimroll.errors import RimrollError
 from rimroll.figures import style
 from rimroll.names import nearest
-from rimroll.study.plan import TRIAL
+from rimroll.study.columns import TRIAL
 from rimroll.study.quantities import (
     HISTOGRAM,
     at,

@@ -1,5 +1,10 @@
 """Statistics in place of rows: counts, means, extremes, histograms and fragility by group.
 
+A number is cut into six whole numbers of 32 bits, which count multiples of 2³², 1, 2⁻³², ... 2⁻¹²⁸.
+Sums of these are whole numbers; what of one exceeds 32 bits is carried to the piece before it. One
+more piece, of multiples of 2⁶⁴, takes what the others cannot hold, so that 2⁶³ numbers have a sum.
+What of a number is below 2⁻¹²⁸ is dropped.
+
 Chunks are reduced by themselves and merged in any order. Counts and sums are whole numbers, so the
 result depends on no chunk and no order, to the last bit.
 """
@@ -8,9 +13,9 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,10 +24,311 @@ from pydantic import Field
 from rimroll.errors import RimrollError
 from rimroll.names import nearest
 from rimroll.scenario.tables import Table, as_toml, checked, readable
-from rimroll.study.blocks import Blocks
-from rimroll.study.plan import TRIAL, Columns, Coordinate, Variable
-from rimroll.study.reductions import Count, Extremes, Histogram, Moments, Reduction
+from rimroll.study.columns import TRIAL, Blocks, Columns, Coordinate, Variable
 from rimroll.units import quantity
+
+PIECES = 7
+"""The first one is for what is carried: numbers themselves have none of it."""
+
+BITS = 32
+TOP = 64
+"""Numbers must be below 2 to this power."""
+
+UNIT = TOP - (PIECES - 1) * BITS
+"""The last piece counts multiples of 2 to this power."""
+
+
+def sums(values: NDArray[np.float64], place: NDArray[np.int64], count: int) -> NDArray[np.int64]:
+    """The sum of the finite values (n,) of each of ``count`` places, in pieces (count, 7).
+
+    Raises ``RimrollError`` for a finite value of 2⁶⁴ or more.
+    """
+    found = np.zeros((count, PIECES), np.int64)
+    finite = np.isfinite(values)
+    values, place = values[finite], place[finite]
+    rest = np.abs(values) * 2.0**-TOP
+    if (rest >= 1.0).any():
+        raise RimrollError(f"sums are of numbers below 2^{TOP}, got {np.abs(values).max():g}")
+    signs = np.sign(values).astype(np.int64)
+    for k in range(1, PIECES):
+        rest = rest * 2.0**BITS
+        whole = np.floor(rest)
+        rest -= whole
+        np.add.at(found[:, k], place, signs * whole.astype(np.int64))
+    return found
+
+
+def added(one: NDArray[np.int64], other: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The sums of two arrays of sums (n, 7), of fewer than 2³⁰ numbers or themselves added.
+
+    All pieces but the first are between 0 and 2³², so that there is always room for more.
+    """
+    found = one + other
+    for k in range(PIECES - 1, 0, -1):
+        found[:, k - 1] += found[:, k] >> BITS  # rounded down, also below zero
+        found[:, k] &= (1 << BITS) - 1
+    return found
+
+
+def whole(pieces: NDArray[np.int64]) -> int:
+    """A sum (7,) as a multiple of 2⁻¹²⁸."""
+    total = 0
+    for piece in pieces.tolist():
+        total = (total << BITS) + piece
+    return total
+
+
+def quotient(total: int, divisor: int) -> float:
+    """A sum, as a multiple of 2⁻¹²⁸, over a whole number: the nearest float."""
+    return total / (divisor << -UNIT)
+
+
+def mean(pieces: NDArray[np.int64], number: int) -> float:
+    """The mean of ``number`` values; NaN for none."""
+    return quotient(whole(pieces), number) if number else math.nan
+
+
+def deviation(pieces: NDArray[np.int64], squares: NDArray[np.int64], number: int) -> float:
+    """The standard deviation of a sample, with divisor n − 1; NaN for fewer than two values."""
+    if number < 2:
+        return math.nan
+    total, square = whole(pieces), whole(squares)
+    spread = (number * square << -UNIT) - total * total  # n Σx² − (Σx)², in 2⁻²⁵⁶
+    return math.sqrt(max(spread, 0) / (number * (number - 1) << -2 * UNIT))
+
+
+Counts = NDArray[np.int64]
+Arrays = dict[str, NDArray[Any]]
+
+
+@dataclass(frozen=True)
+class Kept:
+    """An array that is accumulated: a value for each group, or several."""
+
+    dtype: str
+    shape: tuple[int, ...] = ()
+    start: float = 0
+    """What nothing has been added to."""
+    merged: Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]] = np.add
+    """Merges two arrays."""
+
+    def empty(self, groups: int) -> NDArray[Any]:
+        """What nothing has been added to."""
+        return np.full((groups, *self.shape), self.start, self.dtype)
+
+
+class Reduction(Protocol):
+    """A statistic of a column for each group of rows."""
+
+    @property
+    def column(self) -> str:
+        """The column that it is made from."""
+
+    @property
+    def kept(self) -> Mapping[str, Kept]:
+        """The arrays that are accumulated, by name."""
+
+    @property
+    def coords(self) -> Mapping[str, Coordinate]:
+        """The coordinates of the dimensions that it adds."""
+
+    def variables(self, dims: tuple[str, ...], of: Variable) -> Mapping[str, Variable]:
+        """Its results over the dimensions of the groups, for a column."""
+
+    def reduced(self, values: NDArray[Any], place: Counts, groups: int) -> Arrays:
+        """The arrays for some rows: their values (n,) and the group of each."""
+
+    def finished(self, arrays: Mapping[str, NDArray[Any]]) -> Arrays:
+        """The results, by name, from arrays to which all rows have been added."""
+
+
+@dataclass(frozen=True)
+class Count:
+    """How many rows have each of some words, or for how many something is true."""
+
+    column: str
+    flags: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        """The name of the result."""
+        return f"{self.column}_count"
+
+    @property
+    def kept(self) -> Mapping[str, Kept]:
+        """The counts."""
+        return {self.name: Kept("int64", (len(self.flags),) if self.flags else ())}
+
+    @property
+    def coords(self) -> Mapping[str, Coordinate]:
+        """The words."""
+        words = {self.column: Coordinate(np.array(self.flags), (self.column,))}
+        return words if self.flags else {}
+
+    def variables(self, dims: tuple[str, ...], of: Variable) -> Mapping[str, Variable]:
+        """The counts."""
+        more = (self.column,) if self.flags else ()
+        return {self.name: Variable("int64", (*dims, *more), "", f"count of {self.column}")}
+
+    def reduced(self, values: NDArray[Any], place: Counts, groups: int) -> Arrays:
+        """The counts of some rows."""
+        if not self.flags:
+            return {self.name: np.bincount(place[values.astype(bool)], minlength=groups)}
+        width = len(self.flags)
+        combined = np.bincount(place * width + values, minlength=groups * width)
+        return {self.name: combined.reshape(groups, width)}
+
+    def finished(self, arrays: Mapping[str, NDArray[Any]]) -> Arrays:
+        """The counts."""
+        return {self.name: arrays[self.name]}
+
+
+@dataclass(frozen=True)
+class Moments:
+    """The number of finite values, their mean and standard deviation."""
+
+    column: str
+    coords: Mapping[str, Coordinate]
+
+    @property
+    def kept(self) -> Mapping[str, Kept]:
+        """The number, and exact sums of the values and of their squares."""
+        pieces = Kept("int64", (PIECES,), merged=added)
+        return {
+            f"{self.column}_number": Kept("int64"),
+            f"{self.column}_sum": pieces,
+            f"{self.column}_squares": pieces,
+        }
+
+    def variables(self, dims: tuple[str, ...], of: Variable) -> Mapping[str, Variable]:
+        """The number, the mean and the standard deviation."""
+        name = of.long_name or self.column
+        return {
+            f"{self.column}_number": Variable("int64", dims, "", f"number of values: {name}"),
+            f"{self.column}_mean": Variable("float64", dims, of.unit, f"mean: {name}"),
+            f"{self.column}_sd": Variable("float64", dims, of.unit, f"standard deviation: {name}"),
+        }
+
+    def reduced(self, values: NDArray[Any], place: Counts, groups: int) -> Arrays:
+        """The number and the sums of some rows."""
+        numbers = values.astype(np.float64)
+        return {
+            f"{self.column}_number": np.bincount(place[np.isfinite(numbers)], minlength=groups),
+            f"{self.column}_sum": sums(numbers, place, groups),
+            f"{self.column}_squares": sums(numbers * numbers, place, groups),
+        }
+
+    def finished(self, arrays: Mapping[str, NDArray[Any]]) -> Arrays:
+        """The number, the mean and the standard deviation; NaN where there are too few values."""
+        number = arrays[f"{self.column}_number"]
+        counts = number.tolist()
+        sum_, squares = arrays[f"{self.column}_sum"], arrays[f"{self.column}_squares"]
+        every = zip(sum_, squares, counts, strict=True)
+        return {
+            f"{self.column}_number": number,
+            f"{self.column}_mean": np.array(
+                [mean(one, n) for one, n in zip(sum_, counts, strict=True)]
+            ),
+            f"{self.column}_sd": np.array([deviation(*one) for one in every]),
+        }
+
+
+@dataclass(frozen=True)
+class Extremes:
+    """The smallest and the largest finite value; NaN where there is none."""
+
+    column: str
+    coords: Mapping[str, Coordinate]
+
+    @property
+    def kept(self) -> Mapping[str, Kept]:
+        """Both extremes."""
+        return {
+            f"{self.column}_min": Kept("float64", (), np.inf, np.minimum),
+            f"{self.column}_max": Kept("float64", (), -np.inf, np.maximum),
+        }
+
+    def variables(self, dims: tuple[str, ...], of: Variable) -> Mapping[str, Variable]:
+        """Both extremes."""
+        name = of.long_name or self.column
+        return {
+            f"{self.column}_min": Variable("float64", dims, of.unit, f"least: {name}"),
+            f"{self.column}_max": Variable("float64", dims, of.unit, f"largest: {name}"),
+        }
+
+    def reduced(self, values: NDArray[Any], place: Counts, groups: int) -> Arrays:
+        """The extremes of some rows."""
+        finite = np.isfinite(values)
+        found = {name: one.empty(groups) for name, one in self.kept.items()}
+        low, high = found.values()
+        np.minimum.at(low, place[finite], values[finite])
+        np.maximum.at(high, place[finite], values[finite])
+        return found
+
+    def finished(self, arrays: Mapping[str, NDArray[Any]]) -> Arrays:
+        """The extremes."""
+        return {
+            name: np.where(np.isfinite(arrays[name]), arrays[name], np.nan) for name in self.kept
+        }
+
+
+@dataclass(frozen=True)
+class Histogram:
+    """Numbers of values in bins of equal width, and of values below and above them."""
+
+    column: str
+    low: float
+    high: float
+    bins: int
+    unit: str
+
+    @property
+    def edges(self) -> NDArray[np.float64]:
+        """The edges of the bins (bins + 1,); a value on one belongs to the bin above."""
+        return np.linspace(self.low, self.high, self.bins + 1)
+
+    @property
+    def kept(self) -> Mapping[str, Kept]:
+        """The counts, with those below and above."""
+        return {f"{self.column}_histogram": Kept("int64", (self.bins + 2,))}
+
+    @property
+    def coords(self) -> Mapping[str, Coordinate]:
+        """The centres of the bins."""
+        edges = self.edges
+        centres = 0.5 * (edges[1:] + edges[:-1])
+        return {f"{self.column}_bin": Coordinate(centres, (f"{self.column}_bin",), self.unit)}
+
+    def variables(self, dims: tuple[str, ...], of: Variable) -> Mapping[str, Variable]:
+        """The counts."""
+        name = of.long_name or self.column
+        ends = f"{self.low:g} to {self.high:g} {of.unit}".rstrip()
+        return {
+            f"{self.column}_histogram": Variable(
+                "int64", (*dims, f"{self.column}_bin"), "", f"histogram: {name}", ends
+            ),
+            f"{self.column}_below": Variable("int64", dims, "", f"below the histogram: {name}"),
+            f"{self.column}_above": Variable("int64", dims, "", f"above the histogram: {name}"),
+        }
+
+    def reduced(self, values: NDArray[Any], place: Counts, groups: int) -> Arrays:
+        """The counts of some rows; what is not a number is not counted."""
+        there = ~np.isnan(values)
+        bins = np.searchsorted(self.edges, values[there], side="right")
+        bins[values[there] == self.high] = self.bins  # the last bin has both its ends
+        width = self.bins + 2
+        counts = np.bincount(place[there] * width + bins, minlength=groups * width)
+        return {f"{self.column}_histogram": counts.reshape(groups, width)}
+
+    def finished(self, arrays: Mapping[str, NDArray[Any]]) -> Arrays:
+        """The counts."""
+        counts = arrays[f"{self.column}_histogram"]
+        return {
+            f"{self.column}_histogram": counts[:, 1:-1],
+            f"{self.column}_below": counts[:, 0],
+            f"{self.column}_above": counts[:, -1],
+        }
+
 
 GROUP = "group"
 """The array of a part that says to which groups its other arrays belong."""

@@ -8,9 +8,9 @@ specification and go stale, so there are none.
 What is true or false is kept as 1 or 0, so that what is not computed, -1, is neither.
 
 Columns are on the dimensions of the study, and a chunk of the study is one chunk of each array
-(:mod:`rimroll.study.blocks`), so writers never share a file. Statistics are merged from the parts
+(:mod:`rimroll.study.columns`), so writers never share a file. Statistics are merged from the parts
 of all chunks when these are done. In the store lies the folder ``done`` with the marks of the
-chunks that are complete (:mod:`rimroll.study.marks`). To Zarr it is an empty group.
+chunks that are complete (:mod:`rimroll.study.chunks`). To Zarr it is an empty group.
 """
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ import os
 import re
 import secrets
 import shutil
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from functools import cached_property
 from pathlib import Path
@@ -31,19 +32,107 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.output import flush, flush_all
-from rimroll.study.blocks import Blocks
-from rimroll.study.changes import changes
-from rimroll.study.marks import Marks
-from rimroll.study.parts import Parts
-from rimroll.study.rows_on_disk import RowsOnDisk
-from rimroll.study.storage import StoreError, as_store_errors, digest, zarr
+from rimroll.study.chunks import Marks, Parts, StoreError, as_store_errors, digest, zarr
+from rimroll.study.columns import Blocks
 from rimroll.study.versions import NAMES as VERSIONS
 from rimroll.study.versions import difference
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from rimroll.study.plan import Columns, Plan
+    from rimroll.study.columns import Columns
+    from rimroll.study.plan import Plan
+
+
+class RowsOnDisk:
+    """Columns of chunks, each flat in its rows."""
+
+    def __init__(self, path: Path, store: Store) -> None:
+        self._path = path
+        self._store = store
+        self._flushed: set[Path] = set()
+
+    def write(self, chunk: int, columns: Mapping[str, NDArray[Any]]) -> str:
+        """Write the columns of a chunk to the disk; return their hash."""
+        place = self._store.blocks.place(chunk)
+        shape = tuple(part.stop - part.start for part in place)
+        arrays = self._store.arrays
+        # Contiguous once, for both the disk and the hash.
+        written = {
+            name: np.ascontiguousarray(columns[name], one.dtype) for name, one in arrays.items()
+        }
+        with as_store_errors(self._path):
+            for name, array in arrays.items():
+                array[place or ...] = written[name].reshape(shape)
+            # At the same time, since a disk writes many files at once nearly as fast as one.
+            with ThreadPoolExecutor(len(arrays)) as pool:
+                list(pool.map(self._flush, self.files(chunk)))
+        return digest(written)
+
+    def read(self, chunk: int) -> Columns:
+        """The columns of a chunk, with fill values where files are missing.
+
+        Raises ``StoreError`` for files that cannot be read.
+        """
+        place = self._store.blocks.place(chunk) or ...
+        try:
+            return {name: np.ravel(one[place]) for name, one in self._store.arrays.items()}
+        except Exception as error:  # codecs raise errors of many classes
+            raise StoreError(f"chunk {chunk} of {self._path} cannot be read: {error}") from None
+
+    def files(self, chunk: int) -> Iterator[Path]:
+        """The files of a chunk, one for each column."""
+        index = map(str, self._store.blocks.index(chunk))
+        key = os.path.join("c", *index)
+        return (self._path / name / key for name in self._store.arrays)
+
+    def _flush(self, file: Path) -> None:
+        """Wait until a file is on the disk, with the folders that were made for it."""
+        flush(file)
+        folder = file.parent
+        flush(folder)
+        while folder != self._path and folder not in self._flushed:
+            self._flushed.add(folder)
+            folder = folder.parent
+            flush(folder)
+
+
+LONGEST = 40
+"""Values with more characters are shortened."""
+
+
+def changes(old: Any, new: Any, key: str = "") -> Iterator[str]:
+    """What differs between two trees of JSON, in which texts may hold further JSON.
+
+    >>> list(changes({"law": {"friction": 0.2}}, {"law": {"friction": 0.3}}))
+    ['law.friction was 0.2, is 0.3']
+    """
+    old, new = _tree(old), _tree(new)
+    if isinstance(old, dict) and isinstance(new, dict):
+        for name in [*old, *(name for name in new if name not in old)]:
+            path = f"{key}.{name}" if key else name
+            if name not in new:
+                yield f"{path} was {_short(old[name])}, is not given"
+            elif name not in old:
+                yield f"{path} was not given, is {_short(new[name])}"
+            else:
+                yield from changes(old[name], new[name], path)
+    elif old != new:
+        yield f"{key} was {_short(old)}, is {_short(new)}"
+
+
+def _tree(value: Any) -> Any:
+    """A value; for a text that is a table in JSON, the table."""
+    if isinstance(value, str) and value.startswith("{"):
+        with suppress(ValueError):
+            return json.loads(value)
+    return value
+
+
+def _short(value: Any) -> str:
+    text = json.dumps(value, ensure_ascii=False)
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 3]}..."
+
 
 FORMAT = "rimroll_store"
 """The attribute that only stores of rimroll have: their form and how they are divided."""

@@ -6,7 +6,7 @@ import json
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, replace
-from functools import cached_property, lru_cache
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,8 +22,9 @@ from rimroll.state import State, single
 if TYPE_CHECKING:
     import xarray as xr
 
+    from rimroll.study.columns import Progress
     from rimroll.study.description import Description
-    from rimroll.study.plan import Columns, Plan, Progress
+    from rimroll.study.plan import Plan
 
 Varied = Mapping[str, Any]
 """What varies, by name or by key."""
@@ -216,10 +217,9 @@ class Study:
         ``RimrollError`` for what is not possible; a later row may still be refused where several
         quantities are extreme together.
         """
-        from rimroll.study.planning import planned
+        from rimroll.study.plan import planned
 
-        # A study of its own, whose records are those of this moment.
-        return planned(Study.from_dict(self.to_dict()))
+        return planned(self.description, self.to_dict())
 
     def run(
         self,
@@ -262,7 +262,7 @@ class Study:
         Interrupted
             On Ctrl-C. What is done is kept.
         """
-        from rimroll.study.runner import run
+        from rimroll.study.run import run
 
         callback("progress", progress)
         path = store or self.store
@@ -279,20 +279,6 @@ class Study:
             progress=report,
         )
         return filled.open()
-
-    def computed(
-        self, first: int, last: int, threads: int | None, progress: Progress | None
-    ) -> Columns:
-        """The columns of some rows; see ``Plan.compute``."""
-        from rimroll.study.planning import computed
-
-        return computed(self.description, first, last, threads, progress)
-
-
-@lru_cache(maxsize=8)
-def study_of(text: str) -> Study:
-    """The study of a dictionary in JSON, made once in a process that computes its chunks."""
-    return Study.from_dict(json.loads(text))
 
 
 def _as_json(name: str, value: Any) -> Any:

@@ -3,20 +3,49 @@
 from __future__ import annotations
 
 import platform
+import signal
+import threading
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rimroll.errors import RimrollError
-from rimroll.study.marks import Mark
-from rimroll.study.storage import as_store_errors
+from rimroll.study.chunks import Mark, as_store_errors
 from rimroll.study.versions import of_mark
 
 if TYPE_CHECKING:
-    from rimroll.study.plan import Columns, Plan
+    from rimroll.study.columns import Columns
+    from rimroll.study.plan import Plan
     from rimroll.study.store import Store
+
+
+@contextmanager
+def uninterrupted() -> Iterator[None]:
+    """Let Ctrl-C take effect after the block.
+
+    Zarr writes on threads of its own. Interrupted at once, it would leave tasks behind, of which
+    Python complains at its end. Only the main thread receives signals, so in others nothing
+    changes.
+    """
+    handler = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(handler):
+        yield
+        return
+    received = []
+    signal.signal(signal.SIGINT, lambda *signal_and_frame: received.append(signal_and_frame))
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, handler)
+        if received:
+            handler(*received[0])
+
+
+class Unfinished(RimrollError):
+    """Chunks that could not be computed; all others are done."""
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,9 @@ COMMANDS = {
     "show": "Maps, curves and histograms of a finished or partial study.",
     "verify": "Read all numbers of a store again, and print one hash of them.",
 }
-"""Each command, a function in the module of that name, and its first line of help."""
+"""Each command, a function in the module ``commands``, and its first line of help."""
 
-app = group("rimroll.cli.study", COMMANDS)
+app = group("rimroll.cli.study", COMMANDS, module="commands")
 
 
 @app.callback(invoke_without_command=True)

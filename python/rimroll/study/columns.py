@@ -1,4 +1,4 @@
-"""How the rows of a study are divided into chunks.
+"""The rows of a study: how they are divided into chunks, and what labels their numbers.
 
 The rows are laid out on labelled dimensions in C order. A chunk is one block of this grid and, at
 the same time, a range of consecutive rows: it takes whole as many of the last dimensions as fit, a
@@ -9,10 +9,12 @@ is one chunk of a Zarr array, and no two writers ever share one.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 
 @dataclass(frozen=True)
@@ -67,3 +69,63 @@ class Blocks:
         for part, size in zip(place, self.shape, strict=True):
             first = first * size + part.start
         return first, first + math.prod(part.stop - part.start for part in place)
+
+
+TRIAL = "trial"
+"""The dimension of the trials."""
+
+Columns = dict[str, NDArray[Any]]
+"""Arrays by the name of their variable."""
+
+Progress = Callable[[int, int], object]
+"""Takes how many rows are done, and how many there are."""
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A variable of the result, as xarray and netCDF describe it."""
+
+    dtype: str
+    """The name of a NumPy type: ``float64``, ``int64``, ``int8`` or ``bool``."""
+    dims: tuple[str, ...]
+    unit: str = ""
+    """SI unit, "" for pure numbers."""
+    long_name: str | None = None
+    comment: str | None = None
+    flags: tuple[str, ...] = ()
+    """The words that the numbers 0, 1, 2, ... stand for, if they stand for words."""
+
+    @property
+    def attrs(self) -> dict[str, Any]:
+        """Unit and meaning by the names of the climate and forecast conventions."""
+        named: dict[str, Any] = {
+            "units": self.unit,
+            "long_name": self.long_name,
+            "comment": self.comment,
+        }
+        if self.flags:
+            del named["units"]
+            named |= {
+                "flag_values": list(range(len(self.flags))),
+                "flag_meanings": " ".join(self.flags),
+            }
+        return {name: value for name, value in named.items() if value is not None}
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """The values that label a dimension; or several coordinates that share one, if zipped."""
+
+    values: NDArray[Any]
+    """Numbers in SI units, or words."""
+    dims: tuple[str, ...]
+    unit: str = ""
+    long_name: str | None = None
+
+    @property
+    def attrs(self) -> dict[str, str]:
+        """Unit and meaning; words have no unit."""
+        named = {"units": self.unit, "long_name": self.long_name}
+        if self.values.dtype.kind == "U":
+            del named["units"]
+        return {name: value for name, value in named.items() if value is not None}
