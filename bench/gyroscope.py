@@ -21,7 +21,7 @@ import numpy as np
 from scipy.stats import norm
 
 import rimroll as rr
-from rimroll.gyro.sensor import TIPPING
+from rimroll.sensors.gyro.sensor import TIPPING
 
 REST, HELD = 1.0, 0.5
 RELEASE = REST + TIPPING + HELD

@@ -21,13 +21,13 @@ from rimroll.browser.view import Lab as Lab, lab as lab
 from rimroll.decays import Decay as Decay, decay as decay
 from rimroll.errors import RimrollError as RimrollError
 from rimroll.exact import ExactTurn as ExactTurn, exact_turn as exact_turn
-from rimroll.experiment.fitting.angles import read_directions as read_directions
-from rimroll.experiment.fitting.fit import Fit as Fit, fit as fit
-from rimroll.experiment.fitting.predicted import (
+from rimroll.experiment.directions import read_directions as read_directions
+from rimroll.experiment.fit import Fit as Fit, fit as fit
+from rimroll.experiment.predicted import (
     Predicted as Predicted,
     predict_falls as predict_falls,
 )
-from rimroll.experiment.fitting.summary import (
+from rimroll.experiment.directions import (
     directions_from_summary as directions_from_summary,
 )
 from rimroll.experiment.measurement import Measurement as Measurement, measure as measure
@@ -37,8 +37,8 @@ from rimroll.exponents import EndExponent as EndExponent, fit_exponent as fit_ex
 from rimroll.falls import Interrupted as Interrupted
 from rimroll.grid import axis as axis
 from rimroll.ground.ground import Ground as Ground
-from rimroll.gyro.motions.fit import fit_motion as fit_motion
-from rimroll.gyro.motions.result import MotionFit as MotionFit
+from rimroll.sensors.gyro.motion_fit import fit_motion as fit_motion
+from rimroll.sensors.gyro.motion_result import MotionFit as MotionFit
 from rimroll.imperfection import (
     Collision as Collision,
     ImperfectRim as ImperfectRim,

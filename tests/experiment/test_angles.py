@@ -13,7 +13,7 @@ import rimroll as rr
 from given.strategies import examples
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import write
-from rimroll.experiment.fitting.angles import read_falls
+from rimroll.experiment.directions import read_falls
 from rimroll.falls import Falls
 
 FALLS = np.array([213.5, 147.25, 210.0, 142.0])

@@ -15,9 +15,8 @@ from scipy.stats import t as student
 
 import rimroll as rr
 from rimroll.cli import main
-from rimroll.experiment.fitting.estimate import Estimate
-from rimroll.experiment.fitting.likelihood import Likelihood, Point
-from rimroll.experiment.fitting.predicted import (
+from rimroll.experiment.likelihood import Estimate, Likelihood, Point
+from rimroll.experiment.predicted import (
     ANGLES,
     MIN_FRICTIONS,
     STRAY,

@@ -8,10 +8,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 from scipy.spatial.transform import Rotation
+from scipy.special import ndtr, ndtri
 
 import rimroll as rr
 from given.strategies import bodies, examples
-from rimroll.experiment.release import MAX_TRIALS, PRESETS
+from rimroll.experiment.release import MAX_TRIALS, PRESETS, _chance_below, normal_quantiles
 
 CAN = rr.bodies.can_2007()
 MANY = 20_000
@@ -40,6 +41,14 @@ def test_means_and_spreads_are_those_given():
         assert stats.kstest((values - mean) / spread, "norm").pvalue > 1e-3
         assert values.mean() == pytest.approx(mean, abs=4.0 * spread / np.sqrt(MANY))
         assert values.std() == pytest.approx(spread, rel=4.0 / np.sqrt(2.0 * MANY))
+
+
+def test_normal_numbers_are_right_from_the_first_to_the_last_chance_that_is_drawn():
+    small = 2.0 ** np.linspace(-54.0, -1.0, 200)
+    chances = np.concatenate([small, 1.0 - small[4:]])[:, None] * np.ones(2)
+    assert normal_quantiles(chances) == pytest.approx(ndtri(chances), rel=1e-14, abs=1e-15)
+    # An ulp of -30 changes the chance there by 1e-13 of it.
+    assert _chance_below(-30.0) == pytest.approx(ndtr(-30.0), rel=4e-13, abs=0.0)
 
 
 def test_the_quantities_are_independent():

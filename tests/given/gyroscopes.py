@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import rimroll as rr
-from rimroll.gyro.sensor import TIPPING
+from rimroll.sensors.gyro.sensor import TIPPING
 
 REST, HELD = 1.0, 0.5
 RELEASE = REST + TIPPING + HELD

@@ -8,7 +8,7 @@ import pytest
 
 import rimroll as rr
 from given.gyroscopes import RELEASE, rocked
-from rimroll.gyro.friction import friction_from
+from rimroll.sensors.gyro.friction import friction_from
 
 CAN = rr.bodies.can_2007()
 START = rr.State(tilt=0.5, tilt_rate=-0.3, yaw_rate=0.2, spin_rate=0.1)

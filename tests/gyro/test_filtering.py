@@ -9,7 +9,7 @@ from scipy import signal
 
 import rimroll as rr
 from given.gyroscopes import RELEASE
-from rimroll.gyro.filtering import Filter, filter_of
+from rimroll.sensors.gyro.peaks import Filter, filter_of
 
 CAN = rr.bodies.can_2007()
 START = rr.State(tilt=0.5, yaw_rate=0.2)

@@ -10,15 +10,19 @@ import pytest
 import rimroll as rr
 from rimroll.cli import main
 from rimroll.cli.gyro_fit import show_fit
-from rimroll.gyro.motions.law_numbers import fitted_names, with_numbers
-from rimroll.gyro.motions.misfit import part_left
-from rimroll.gyro.motions.model import FARTHEST, SHARED, UNREACHED, Model, Prior, Window
-from rimroll.gyro.motions.notes import notes_of
-from rimroll.gyro.motions.result import Estimate
-from rimroll.gyro.motions.search import Found, least
-from rimroll.gyro.motions.seen import Sensing
-from rimroll.gyro.motions.windows import Chain
 from rimroll.scenario import load
+from rimroll.sensors.fits import UNREACHED, Estimate, Minimum, fitted_names, least, with_numbers
+from rimroll.sensors.gyro.motion_fit import notes_of
+from rimroll.sensors.gyro.motion_model import (
+    FARTHEST,
+    SHARED,
+    Model,
+    Prior,
+    Sensing,
+    Window,
+    part_left,
+)
+from rimroll.sensors.gyro.motion_search import Chain
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CAN = rr.bodies.can_2007()
@@ -137,7 +141,7 @@ def test_after_a_motion_topples_every_sample_counts_as_unreached():
     derivatives = model.jacobian(vector)[: model.count].reshape(len(after), 3, -1)
     assert np.all(derivatives[after] == 0.0)
     assert np.all(np.abs(derivatives[~after]).max(axis=(1, 2)) > 0.0)
-    assert np.isnan(part_left(Found(model, vector, float(np.sum(left**2)), derivatives)))
+    assert np.isnan(part_left(Minimum(model, vector, float(np.sum(left**2)), derivatives)))
 
 
 def test_after_a_body_comes_to_rest_the_sensor_shows_its_bias():

@@ -81,8 +81,8 @@ def test_an_axis_far_askew_is_found_on_a_body_that_rolls():
 
 
 def test_the_friction_follows_the_veer_without_steps():
-    from rimroll.gyro.analysis import chi_square
-    from rimroll.gyro.friction import friction_from
+    from rimroll.sensors.fits import chi_square
+    from rimroll.sensors.gyro.friction import friction_from
 
     motion = rr.simulate(BODIES[1], rr.State(tilt=0.5, yaw_rate=0.1), rr.Coulomb(0.2), duration=0.8)
     found = rr.gyro.analyze(rr.gyro.phone(200.0).record(motion, seed=1), BODIES[1], axis="z")

@@ -26,10 +26,9 @@ from rimroll.cli.request import requested
 from rimroll.cli.screen import Bar, prose, say, show_json, working
 from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
-from rimroll.filmed.files import read
-from rimroll.filmed.fit import fit_track
-from rimroll.filmed.result import TrackFit
-from rimroll.filmed.track import Track
+from rimroll.sensors.filmed.track import Track, read
+from rimroll.sensors.filmed.track_fit import fit_track
+from rimroll.sensors.filmed.track_result import TrackFit
 from rimroll.units import quantity
 
 TrackArgument = Annotated[

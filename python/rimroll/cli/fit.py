@@ -30,10 +30,10 @@ from rimroll.cli.request import requested
 from rimroll.cli.screen import Bar, prose, say, show_json, table, unbroken, working
 from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
-from rimroll.experiment.fitting import Fit
-from rimroll.experiment.fitting import fit as fit_directions
-from rimroll.experiment.fitting.angles import read_falls
-from rimroll.experiment.fitting.estimate import Estimate
+from rimroll.experiment.directions import read_falls
+from rimroll.experiment.fit import Fit
+from rimroll.experiment.fit import fit as fit_directions
+from rimroll.experiment.likelihood import Estimate
 from rimroll.experiment.release import Release
 from rimroll.laws import NoSlip
 from rimroll.units import quantity

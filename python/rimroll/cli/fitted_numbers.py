@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from rich.table import Table
 
 from rimroll.cli.screen import table
-from rimroll.gyro.motions.result import Estimate
+from rimroll.sensors.fits import Estimate
 
 MAX_PLACES = 9
 """Decimals of a number that is known exactly."""

@@ -24,10 +24,11 @@ from rimroll.cli.request import requested
 from rimroll.cli.screen import Bar, prose, say, show_json, table
 from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
-from rimroll.gyro.analysis import Analysis, analyze
-from rimroll.gyro.collision import Collision
-from rimroll.gyro.files import read
-from rimroll.gyro.friction import Friction
+from rimroll.sensors.gyro.analysis import Analysis
+from rimroll.sensors.gyro.collision import Collision
+from rimroll.sensors.gyro.files import read
+from rimroll.sensors.gyro.friction import Friction
+from rimroll.sensors.gyro.reading import analyze
 from rimroll.units import quantity
 
 RecordArgument = Annotated[

@@ -8,10 +8,10 @@ from rimroll.body import Body
 from rimroll.cli.fitted_numbers import numbers_table
 from rimroll.cli.screen import prose, say
 from rimroll.errors import RimrollError
-from rimroll.gyro.analysis import Analysis
-from rimroll.gyro.motions.fit import fit_analysis
-from rimroll.gyro.motions.result import MotionFit
 from rimroll.laws import Coulomb, Law, RollingResistance
+from rimroll.sensors.gyro.analysis import Analysis
+from rimroll.sensors.gyro.motion_fit import fit_analysis
+from rimroll.sensors.gyro.motion_result import MotionFit
 from rimroll.theory import needed_friction
 
 FIRST_RESISTANCE = 3e-4

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import asdict, dataclass, fields, replace
+from statistics import NormalDist
 from typing import Any, Self
 
 import numpy as np
@@ -12,7 +13,6 @@ from numpy.typing import NDArray
 from rimroll import _core
 from rimroll.body import Body, one_body
 from rimroll.errors import RimrollError
-from rimroll.experiment.normal import chance_below, quantiles
 from rimroll.given import Number, number, positive, random_seed, whole_number
 from rimroll.names import choose
 from rimroll.state import State
@@ -28,6 +28,17 @@ SURPLUS = 1.7
 
 MIN_CHANCE = 2.0**-54
 """Replaces a random number 0, which has no quantile."""
+
+
+def normal_quantiles(chances: Array) -> Array:
+    """The numbers below which a standard normal number lies with chances inside (0, 1)."""
+    numbers = map(NormalDist().inv_cdf, chances.ravel().tolist())
+    return np.fromiter(numbers, np.float64, chances.size).reshape(chances.shape)
+
+
+def _chance_below(x: float) -> float:
+    """The chance of a standard normal number below x; exact also where it is tiny."""
+    return 0.5 * math.erfc(-x / math.sqrt(2.0))
 
 
 @dataclass(frozen=True)
@@ -138,10 +149,10 @@ class Release:
         """
         chances = chances.T
         mean, spread = self.tilt
-        low, high = (chance_below((end - mean) / (spread or 1.0)) for end in (0.0, 0.5 * math.pi))
-        tilt = mean + spread * quantiles(low + (high - low) * chances[0])
+        low, high = (_chance_below((end - mean) / (spread or 1.0)) for end in (0.0, 0.5 * math.pi))
+        tilt = mean + spread * normal_quantiles(low + (high - low) * chances[0])
         tilt_rate, sideways, twist, friction_scale = (
-            mean + spread * quantiles(chances[1 + k])
+            mean + spread * normal_quantiles(chances[1 + k])
             for k, (mean, spread) in enumerate(
                 (self.tilt_rate, self.sideways, self.twist, self.friction_scale)
             )

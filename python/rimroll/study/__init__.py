@@ -5,7 +5,7 @@ dimensions, and the columns of any chunk of rows, which are a pure function of t
 numbers of the rows. So chunks can be computed in any order, by any process, on any machine.
 
 ``study`` is the public class, ``description`` reads its tables, ``axes`` and ``draws`` say what
-varies. ``setups`` makes bodies, starts, laws and grounds of a block of rows, ``kinds`` computes their
-columns, ``statistics`` reduces them, and ``plan`` has the whole. ``store`` and ``chunks`` are on the
-disk, ``run``, ``work`` and ``cluster`` fill them, ``status`` and ``figures`` show them.
+varies. ``setups`` makes bodies, starts, laws and grounds of some rows, ``kinds`` computes their
+columns, ``statistics`` reduces them, and ``plan`` has the whole. ``store`` and ``chunks`` are on
+the disk, ``run``, ``work`` and ``cluster`` fill them, ``status`` and ``figures`` show them.
 """

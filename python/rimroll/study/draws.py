@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
-from rimroll.experiment.release import MIN_CHANCE, Release
+from rimroll.experiment.release import MIN_CHANCE, Release, normal_quantiles
 from rimroll.names import nearest
 
 Array = NDArray[np.float64]
@@ -145,17 +145,15 @@ class Random:
 
 
 def _quantiles(distribution: str, numbers: Mapping[str, float], chances: Array) -> Array:
-    from rimroll.experiment.normal import quantiles
-
     match distribution:
         case "uniform":
             low, high = numbers["low"], numbers["high"]
             return low + (high - low) * chances
         case "normal":
-            return numbers["mean"] + numbers["spread"] * quantiles(chances)
+            return numbers["mean"] + numbers["spread"] * normal_quantiles(chances)
         case "lognormal":
             # exp of NumPy: the same on a machine whatever the length of the array.
-            return numbers["median"] * np.exp(numbers["dispersion"] * quantiles(chances))
+            return numbers["median"] * np.exp(numbers["dispersion"] * normal_quantiles(chances))
         case _:
             import scipy.stats
 

@@ -16,10 +16,9 @@ from rimroll.body import Body
 from rimroll.errors import RimrollError
 from rimroll.exact import NUMBERS
 from rimroll.exact_falls import exact_falls
-from rimroll.experiment.fitting.likelihood import Likelihood
-from rimroll.experiment.fitting.predicted import Predicted, predict_falls
-from rimroll.experiment.normal import quantiles
-from rimroll.experiment.release import Release
+from rimroll.experiment.likelihood import Likelihood
+from rimroll.experiment.predicted import Predicted, predict_falls
+from rimroll.experiment.release import Release, normal_quantiles
 from rimroll.experiment.toppling import FALLING
 from rimroll.falls import Falls
 from rimroll.ground.ground import Ground
@@ -447,7 +446,7 @@ def _fitted(call: Call, k: int, friction: float, threads: int | None) -> dict[st
     wanted, error = int(call.fit["falls"][k]), float(call.fit["reading_error"][k])
     predicted = _predicted(body, call.hands[k], call.options.gravity, error)
     row = int(call.numbers[k])
-    bias = float(call.fit["bias"][k] * quantiles(stream(call.seed, "bias", row, row + 1))[0])
+    bias = float(call.fit["bias"][k] * normal_quantiles(stream(call.seed, "bias", row, row + 1))[0])
     released = SURPLUS * wanted
     chances = stream(call.seed, f"falls {row}", 0, 5 * released).reshape(released, 5)
     starts, scales = call.hands[k].at(chances)
@@ -457,7 +456,7 @@ def _fitted(call: Call, k: int, friction: float, threads: int | None) -> dict[st
     fell = falls["direction"][falls["outcome"] == predicted.outcome][:wanted]
     if len(fell) < 3:
         return {"falls": len(fell)}
-    readings = quantiles(stream(call.seed, f"readings {row}", 0, wanted))[: len(fell)]
+    readings = normal_quantiles(stream(call.seed, f"readings {row}", 0, wanted))[: len(fell)]
     likelihood = Likelihood(predicted, fell + bias + error * readings)
     best = likelihood.best()
     return {

@@ -568,7 +568,7 @@ def verify(
 def _spans(chunks: list[int]) -> str:
     """Numbers in order, neighbours together.
 
-    >>> _ranges([1, 2, 3, 7])
+    >>> _spans([1, 2, 3, 7])
     '1-3, 7'
     """
     spans: list[list[int]] = []

@@ -1,0 +1,1 @@
+"""Filmed tracks: ``rimroll.filmed`` has the public names."""
