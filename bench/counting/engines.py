@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 import rimroll as rr
 from counting.draws import Setting
-from rimroll.exact_falls import exact_falls
+from rimroll.many.ensemble import exact_falls
 
 RTOL = 1e-10
 """The tolerance of the steps, unless two engines differ."""

@@ -10,7 +10,7 @@
 202.287
 
 Plain numbers are in SI units and radians throughout; texts such as ``"30 deg"`` and quantities of
-pint are converted (see :mod:`rimroll.given`). Source of the mechanics:
+pint are converted (see :mod:`rimroll.units`). Source of the mechanics:
 M. Srinivasan and A. Ruina, *Rocking and rolling: a can that appears to rock might actually roll*
 (2007), called "the paper" below.
 """

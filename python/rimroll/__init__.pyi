@@ -1,26 +1,22 @@
 """The public names and the modules that they come from: their one list, also at run time."""
 
-from rimroll import (
-    bodies as bodies,
-    filmed as filmed,
-    ground as ground,
-    gyro as gyro,
-    polygons as polygons,
-    solids as solids,
-    surfaces as surfaces,
-)
+from rimroll import filmed as filmed, ground as ground, gyro as gyro
+from rimroll import bodies as bodies
+from rimroll.bodies import polygons as polygons
+from rimroll.bodies import solids as solids
+from rimroll.laws import surfaces as surfaces
 from rimroll._core import STANDARD_GRAVITY as STANDARD_GRAVITY, __version__ as __version__
-from rimroll.approximations import (
+from rimroll.theory.approximations import (
     Composite as Composite,
     NearCollision as NearCollision,
     composite as composite,
     pasted as pasted,
 )
-from rimroll.body import Body as Body
+from rimroll.bodies.body import Body as Body
 from rimroll.browser.view import Lab as Lab, lab as lab
-from rimroll.decays import Decay as Decay, decay as decay
+from rimroll.theory.decays import Decay as Decay, decay as decay
 from rimroll.errors import RimrollError as RimrollError
-from rimroll.exact import ExactTurn as ExactTurn, exact_turn as exact_turn
+from rimroll.theory.exact import ExactTurn as ExactTurn, exact_turn as exact_turn
 from rimroll.experiment.directions import read_directions as read_directions
 from rimroll.experiment.fit import Fit as Fit, fit as fit
 from rimroll.experiment.predicted import (
@@ -33,13 +29,13 @@ from rimroll.experiment.directions import (
 from rimroll.experiment.measurement import Measurement as Measurement, measure as measure
 from rimroll.experiment.release import Release as Release
 from rimroll.experiment.toppling import topple as topple
-from rimroll.exponents import EndExponent as EndExponent, fit_exponent as fit_exponent
-from rimroll.falls import Interrupted as Interrupted
-from rimroll.grid import axis as axis
+from rimroll.theory.decays import EndExponent as EndExponent, fit_exponent as fit_exponent
+from rimroll.many.falls import Interrupted as Interrupted
+from rimroll.many.grid import axis as axis
 from rimroll.ground.ground import Ground as Ground
 from rimroll.sensors.gyro.motion_fit import fit_motion as fit_motion
 from rimroll.sensors.gyro.motion_result import MotionFit as MotionFit
-from rimroll.imperfection import (
+from rimroll.theory.imperfection import (
     Collision as Collision,
     ImperfectRim as ImperfectRim,
     imperfect_rim as imperfect_rim,
@@ -57,7 +53,7 @@ from rimroll.laws import (
     Tabulated as Tabulated,
     Viscous as Viscous,
 )
-from rimroll.many_falls import ensemble as ensemble
+from rimroll.many.ensemble import ensemble as ensemble
 from rimroll.motion import (
     Event as Event,
     Moments as Moments,
@@ -69,23 +65,20 @@ from rimroll.motion import (
     simulate as simulate,
 )
 from rimroll.motion.jacobian import Jacobian as Jacobian
-from rimroll.nutations import (
+from rimroll.theory.nutations import (
     Nutation as Nutation,
     nutation as nutation,
     resonant_start as resonant_start,
 )
 from rimroll.options import Options as Options
-from rimroll.polygon import (
-    PolygonalBody as PolygonalBody,
-    PolygonEvent as PolygonEvent,
-    PolygonMotion as PolygonMotion,
-)
-from rimroll.reduced import (
+from rimroll.bodies.polygons import PolygonalBody as PolygonalBody
+from rimroll.motion.polygons import PolygonEvent as PolygonEvent, PolygonMotion as PolygonMotion
+from rimroll.theory.reduced import (
     ReducedMotion as ReducedMotion,
     reduced_motion as reduced_motion,
     rocking_friction as rocking_friction,
 )
-from rimroll.left_or_right import (
+from rimroll.many.left_or_right import (
     turn_map as turn_map,
     watershed as watershed,
     watershed_slope as watershed_slope,
@@ -112,10 +105,10 @@ from rimroll.shaking.rocking import (
     rocking_spectrum as rocking_spectrum,
 )
 from rimroll.shaking.scales import rocking_frequency as rocking_frequency
-from rimroll.solids import Solid as Solid
-from rimroll.stability import growth_rates as growth_rates
+from rimroll.bodies.solids import Solid as Solid
+from rimroll.theory.steady import growth_rates as growth_rates
 from rimroll.state import State as State
-from rimroll.steady import (
+from rimroll.theory.steady import (
     SteadyMotion as SteadyMotion,
     critical_rolling_spin as critical_rolling_spin,
     critical_spinning_rate as critical_spinning_rate,
@@ -125,7 +118,7 @@ from rimroll.steady import (
     steady_wobble_rate as steady_wobble_rate,
 )
 from rimroll.study.study import Study as Study
-from rimroll.theory import (
+from rimroll.theory.closed_forms import (
     Arrival as Arrival,
     Passage as Passage,
     arrival as arrival,

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, TypedDict, TypeVar
 
 from rimroll import _core
 from rimroll.errors import RimrollError, expect
-from rimroll.given import Number, number, optional, whole_number
-from rimroll.recorded import not_recorded
+from rimroll.files.recorded import not_recorded
+from rimroll.units import Number, number, optional, whole_number
 
 if TYPE_CHECKING:
     from typing import Unpack

@@ -10,10 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, hold
-from rimroll.given import Values, number, numbers, positive, values
-from rimroll.grid import Grid, is_labelled
-from rimroll.recorded import expect_dataset, not_recorded
-from rimroll.units import START_UNIT_OF, in_degrees_hint
+from rimroll.files.recorded import expect_dataset, not_recorded
+from rimroll.many.grid import Grid, is_labelled
+from rimroll.units import START_UNIT_OF, Values, in_degrees_hint, number, numbers, positive, values
 
 Array = NDArray[np.float64]
 Numbers = float | Array
@@ -39,7 +38,7 @@ else:
 class State(Generic[FieldT]):
     """Position and motion in the paper's Euler angles (rad, rad/s).
 
-    Every field is a number or an array, with or without a unit (see :mod:`rimroll.given`). Arrays
+    Every field is a number or an array, with or without a unit (see :mod:`rimroll.units`). Arrays
     must have the same shape; single numbers apply to all elements. Data arrays of xarray broadcast
     by the names of their dimensions. For type checkers, a state of single numbers is a
     ``State[float]``, whose fields are floats.

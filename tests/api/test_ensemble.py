@@ -14,10 +14,10 @@ import rimroll as rr
 from given.ctrl_c import heard
 from given.strategies import bodies, examples, rockings
 from rimroll import _core
-from rimroll.body import body_of
-from rimroll.endings import OUTCOMES, STATUSES
+from rimroll.bodies.body import body_of
+from rimroll.files.recorded import OUTCOMES, STATUSES
 from rimroll.laws import law_of
-from rimroll.many_falls import VARIABLES
+from rimroll.many.ensemble import VARIABLES
 
 CAN = rr.bodies.can_2007()
 FIELDS = ("tilt", "tilt_rate", "yaw", "yaw_rate", "spin", "spin_rate")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import rimroll as rr
-from rimroll.falls import Falls
+from rimroll.many.falls import Falls
 
 CAN = rr.bodies.can_2007()
 RATES = np.linspace(-1.0, 1.0, 3)

@@ -200,7 +200,7 @@ def test_a_motion_shows_itself_in_the_lab():
 
 
 def test_without_the_built_page_it_says_how_to_build_it(tmp_path, monkeypatch):
-    monkeypatch.setattr("rimroll.browser.built_page.resources.files", lambda _name: tmp_path)
+    monkeypatch.setattr("rimroll.browser.page.resources.files", lambda _name: tmp_path)
     with pytest.raises(rr.RimrollError, match=r"the page is not built yet.*make web"):
         rr.lab(CAN, browser=False)
     (tmp_path / "page").mkdir()

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 from rimroll import laws
 from rimroll.laws import Law, Parameter
-from rimroll.laws.shared import RESTITUTION
+from rimroll.laws.parameters import RESTITUTION
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Grease(Law):

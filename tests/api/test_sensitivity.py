@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 import rimroll as rr
 from given.strategies import bodies, examples
 from rimroll.cli import main
-from rimroll.map_plot import directions, map_figure, middle_of_map, span
+from rimroll.many.map_figure import directions, map_figure, middle_of_map, span
 from rimroll.paper import setting
 from rimroll.paper.figures import sensitivity
 

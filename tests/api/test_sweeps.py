@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 
 import rimroll as rr
-from rimroll.body import body_of
+from rimroll.bodies.body import body_of
 from rimroll.laws import law_of
 from rimroll.units import registry
 

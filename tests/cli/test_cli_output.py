@@ -15,7 +15,7 @@ import pytest
 import rimroll as rr
 from given.ctrl_c import heard
 from rimroll.cli import main
-from rimroll.output import writing
+from rimroll.files.output import writing
 
 START = "simulate --tilt 30deg --yaw-rate 0.05"
 

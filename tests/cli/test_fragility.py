@@ -13,7 +13,8 @@ import rimroll as rr
 from given.at2 import at2
 from rimroll.cli import main
 from rimroll.cli.simulate import UNDECIDED
-from rimroll.falls import Interrupted
+from rimroll.many import falls
+from rimroll.many.falls import Interrupted
 from rimroll.scenario import load
 from rimroll.shaking import incremental
 
@@ -216,10 +217,8 @@ def test_ctrl_c_keeps_the_records_that_are_done(capsys, monkeypatch, tmp_path):
     def interrupted(*arguments, **options):
         done = follow(*arguments, **options)
         columns = {name: one.values.ravel()[:14] for name, one in done.columns.items()}
-        rows = {name: rr.falls.Column(values) for name, values in columns.items()}
-        raise Interrupted(
-            rr.falls.Falls(rows, {"trial": rr.falls.Column(np.arange(14))}, done.attrs)
-        )
+        rows = {name: falls.Column(values) for name, values in columns.items()}
+        raise Interrupted(falls.Falls(rows, {"trial": falls.Column(np.arange(14))}, done.attrs))
 
     monkeypatch.setattr(incremental, "follow_shaken", interrupted)
     file = tmp_path / "part.csv"

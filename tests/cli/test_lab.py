@@ -12,8 +12,8 @@ from urllib.parse import unquote
 import pytest
 
 from given.ctrl_c import interrupt, needs_signals, running
-from rimroll.browser import setup_check
-from rimroll.browser.server import PageServer
+from rimroll.browser import setup
+from rimroll.browser.page import PageServer
 from rimroll.cli import main
 
 FILES = {
@@ -40,7 +40,7 @@ def package(tmp_path, monkeypatch):
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_bytes(content)
     (tmp_path / "secret.txt").write_text("secret")
-    monkeypatch.setattr("rimroll.browser.built_page.resources.files", lambda _name: tmp_path)
+    monkeypatch.setattr("rimroll.browser.page.resources.files", lambda _name: tmp_path)
     return tmp_path
 
 
@@ -249,7 +249,7 @@ def test_a_set_up_that_the_page_takes_is_opened(package, monkeypatch, setup):
     ],
 )
 def test_a_number_of_a_set_up_is_read_as_the_page_reads_it(text, number):
-    assert setup_check._number(text, "°") == number
+    assert setup._number(text, "°") == number
 
 
 @needs_signals

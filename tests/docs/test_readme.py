@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import rimroll as rr
-from rimroll.endings import OUTCOMES, STATUSES
+from rimroll.files.recorded import OUTCOMES, STATUSES
 
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")

@@ -14,7 +14,7 @@ from given.strategies import examples
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import write
 from rimroll.experiment.directions import read_falls
-from rimroll.falls import Falls
+from rimroll.many.falls import Falls
 
 FALLS = np.array([213.5, 147.25, 210.0, 142.0])
 """Directions of fall of the paper's can, degrees."""

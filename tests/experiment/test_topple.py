@@ -20,7 +20,7 @@ from rimroll.cli import main
 from rimroll.experiment.histogram import falls_figure
 from rimroll.experiment.toppling import counted, limits
 from rimroll.figures import style
-from rimroll.many_falls import VARIABLES
+from rimroll.many.ensemble import VARIABLES
 from rimroll.paper.setting import MEASURED
 
 CAN = rr.bodies.can_2007()

@@ -10,8 +10,8 @@ from matplotlib.text import Text
 
 import rimroll as rr
 from rimroll.figures import style
-from rimroll.map_line import HALVINGS, side_line
-from rimroll.map_plot import beyond, map_figure, span
+from rimroll.many.left_or_right import LINE_HALVINGS, side_line
+from rimroll.many.map_figure import beyond, map_figure, span
 from rimroll.paper import setting
 from rimroll.paper.figures.sensitivity import FLICK
 
@@ -75,7 +75,7 @@ def test_under_friction_that_holds_the_rim_the_line_is_that_of_rolling():
     slope = rr.watershed_slope(CAN, FLICK.tilt, rr.NoSlip())
     cell = RATES[1] - RATES[0]
     assert np.array_equal(spin, RATES)
-    assert yaw == pytest.approx(slope * spin, abs=cell / 2**HALVINGS)
+    assert yaw == pytest.approx(slope * spin, abs=cell / 2**LINE_HALVINGS)
 
 
 @pytest.mark.parametrize(
@@ -89,7 +89,7 @@ def test_the_line_found_by_trial_parts_falls_to_the_right_from_falls_to_the_left
     left = falls.direction.values > np.pi
     assert np.array_equal(left, falls.yaw_rate.values > yaw[:, None])
     found = rr.watershed(CAN, FLICK, law, few, gravity=GRAVITY, rtol=1e-6)
-    assert yaw == pytest.approx(found, abs=(RATES[1] - RATES[0]) / 2**HALVINGS)
+    assert yaw == pytest.approx(found, abs=(RATES[1] - RATES[0]) / 2**LINE_HALVINGS)
     assert named(map_figure(falls)) == ["comes down flat"]
 
 

@@ -16,7 +16,7 @@ from rimroll.cli.request import Request
 from rimroll.cli.side_by_side import side_by_side
 from rimroll.figures import style
 from rimroll.laws import LAWS
-from rimroll.laws.shared import FRICTION, RESTITUTION, STATIC
+from rimroll.laws.parameters import FRICTION, RESTITUTION, STATIC
 from rimroll.motion import figure as plots
 from rimroll.options import Options
 from rimroll.paper import setting

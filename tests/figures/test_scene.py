@@ -25,7 +25,7 @@ from rimroll.figures.animation.stage import Stage
 from rimroll.figures.scene import Array, Camera, Pose, Profile
 from rimroll.figures.scene.pose import turn_span, turn_spans
 from rimroll.figures.sequence import falling_figure, falling_times
-from rimroll.output import ensure_folder, writing
+from rimroll.files.output import ensure_folder, writing
 
 
 @dataclass(frozen=True)

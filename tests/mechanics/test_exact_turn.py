@@ -17,8 +17,8 @@ import rimroll as rr
 from given.motions import CAN, LAWS, PAPER_GRAVITY, by_law, sixty_starts
 from given.strategies import bodies, examples, rockings
 from oracles import rolling_disk, tabulated_turns, taylor_turns
-from rimroll.exact import CHUNK, NUMBERS
 from rimroll.motion.jacobian import PARAMETERS
+from rimroll.theory.exact import CHUNK, NUMBERS
 
 FIELDS = tuple(field.name for field in fields(rr.State))
 BODY = tabulated_turns.BODY

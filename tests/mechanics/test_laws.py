@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import rimroll as rr
-from rimroll import laws, surfaces, units
-from rimroll.names import typed
+from rimroll import laws, units
+from rimroll.errors import typed
+from rimroll.laws import surfaces
 
 CAN = rr.bodies.can_2007()
 NOT_NUMBERS = [np.nan, np.inf, -np.inf, "0.2 m", None, True, [0.1, -0.2]]

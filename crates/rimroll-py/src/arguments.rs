@@ -101,7 +101,7 @@ pub fn of_row<T>(all: &[T], row: usize) -> &T {
     &all[if all.len() == 1 { 0 } else { row }]
 }
 
-/// Any object with the attributes of `rimroll.solids.Solid`.
+/// Any object with the attributes of `rimroll.bodies.solids.Solid`.
 #[derive(FromPyObject)]
 pub struct SolidArgument {
     mass: f64,

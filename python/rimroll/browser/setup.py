@@ -1,4 +1,4 @@
-"""A body, a start and a law as the set-up of the lab's page.
+"""A body, a start, a law and a ground as the set-up of the lab's page, checked before it opens.
 
 The page reads numbers in units for people. Each is written with as few digits as give the same
 number in SI units, so that the page computes the same motion; where no digits do, it differs in
@@ -7,24 +7,24 @@ the last bit.
 
 from __future__ import annotations
 
+import json
 import math
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterator
 from dataclasses import astuple
-from typing import TYPE_CHECKING
-from urllib.parse import urlencode
+from pathlib import Path
+from typing import Any, TypeVar
+from urllib.parse import parse_qsl, urlencode
 
 from rimroll import bodies
-from rimroll.body import Body, one_body
-from rimroll.browser.digits import Pairs, plain, shortest
-from rimroll.browser.floor import floor_of
-from rimroll.errors import RimrollError, expect
-from rimroll.given import Number, number
+from rimroll.bodies.body import Body, one_body
+from rimroll.errors import RimrollError, expect, nearest
+from rimroll.ground.ground import Ground
+from rimroll.ground.pulses import CALM
 from rimroll.laws import Coulomb, Frictionless, Law, NoSlip, RollingResistance, one_law
 from rimroll.options import FlatLanding, ground_given, landing_given
 from rimroll.state import State, single
-
-if TYPE_CHECKING:
-    from rimroll.ground.ground import Ground
+from rimroll.units import Number, number
 
 RING_RADIUS = 0.05
 """Radius of the page's ring, m."""
@@ -140,3 +140,129 @@ def _law(law: Law) -> Pairs:
 
 def _missing(law: Law, known: str) -> RimrollError:
     return RimrollError(f"law cannot be shown in the lab, which has {known}, got {law!r}")
+
+
+_DECIMAL = re.compile(r"[+-]?(Infinity|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)")
+_OTHER_BASE = re.compile(r"0([xX][0-9a-fA-F]+|[oO][0-7]+|[bB][01]+)")
+"""The two make up what JavaScript's ``Number`` takes, which is less than Python's ``float``."""
+
+_THOUSANDS = re.compile(r"[-+\N{MINUS SIGN}]?[1-9][0-9]{0,2}(,[0-9]{3})+")
+
+
+def check(setup: str, page: Path) -> None:
+    """Raise ``RimrollError`` for a set-up with a name or a value that the built page does not take.
+
+    ``setup`` is ``name=value&...`` as in the page's address; what the page takes is in its
+    ``setup.json``.
+    """
+    table = page / "setup.json"
+    if not table.is_file():
+        raise RimrollError("the page is older than this rimroll; in its source tree, run: make web")
+    quantities = json.loads(table.read_text(encoding="utf-8"))
+    for name, value in parse_qsl(setup, keep_blank_values=True):
+        if name not in quantities:
+            raise RimrollError(f"there is no quantity {name!r}{nearest(name, quantities)}")
+        _check_value(name, value, quantities[name])
+
+
+def _check_value(name: str, value: str, allowed: dict[str, Any]) -> None:
+    if "choices" in allowed:
+        if value not in allowed["choices"]:
+            raise RimrollError(f"{name} cannot be {value!r}{nearest(value, allowed['choices'])}")
+        return
+    if "pattern" in allowed:
+        if not re.fullmatch(allowed["pattern"], value):
+            raise RimrollError(f"{name} is not one that the page has written")
+        return
+    low, high, unit = allowed["min"], allowed["max"], allowed["unit"]
+    number = _number(value, unit)
+    if number is None:
+        raise RimrollError(field=name, value=value, bound="a number")
+    if allowed["whole"] and not number.is_integer():
+        raise RimrollError(field=name, value=value, bound="a whole number")
+    inside = low < number < high if allowed["open"] else low <= number <= high
+    if not inside:
+        bounds = "between" if allowed["open"] else "from"
+        joint = "and" if allowed["open"] else "to"
+        in_unit = f" ({unit})" if unit else ""
+        raise RimrollError(field=name, value=value, bound=f"{bounds} {low} {joint} {high}{in_unit}")
+
+
+def _number(text: str, unit: str) -> float | None:
+    """The number that the page reads, as ``read`` of web/src/setup/setup.ts; None if it refuses.
+
+    One comma may be a decimal point, and the unit may be there or not. What may be thousands with
+    commas between them, such as ``1,000``, is refused.
+    """
+    bare = text.strip().removesuffix(unit).strip() if unit else text.strip()
+    if _THOUSANDS.fullmatch(bare):
+        return None
+    plain = bare.replace(",", ".", 1).replace("\N{MINUS SIGN}", "-")
+    if _DECIMAL.fullmatch(plain):
+        return float(plain)
+    return _whole(plain) if _OTHER_BASE.fullmatch(plain) else None
+
+
+def _whole(text: str) -> float:
+    try:
+        return float(int(text, 0))
+    except OverflowError:
+        return math.inf
+
+
+T = TypeVar("T")
+Pairs = Iterator[tuple[str, str]]
+
+
+def shortest(value: T, shown: float, read: Callable[[float], T]) -> str:
+    """The text with the fewest digits near ``shown`` that the page reads as the value."""
+    for digits in range(1, 18):
+        rounded = float(f"{shown:.{digits}g}")
+        if read(rounded) == value:
+            return plain(rounded)
+    return plain(shown)
+
+
+def plain(value: float) -> str:
+    """All digits of a number."""
+    return repr(value + 0.0).removesuffix(".0")  # 0.0 for -0.0
+
+
+FLAT = ("stop", "smooth_left", "smooth_right", "housner")
+"""What the lab has for a base that comes down flat."""
+
+
+def floor_of(ground: Ground, flat: FlatLanding, start: State[float] | None) -> Pairs:
+    """The set-up of the floor.
+
+    Raises ``RimrollError`` for a ground that is not one pulse, and for a ``flat`` that the lab does
+    not have.
+    """
+    if flat not in FLAT:
+        raise RimrollError(
+            f"flat cannot be shown in the lab, which has {', '.join(FLAT)}, got {flat!r}"
+        )
+    pulses = ground.core.pulses()
+    if ground.core.samples() is not None or len(pulses) != 1:
+        raise _missing_of_floor(ground)
+    ((kind, (x, y, z), period, duration, center),) = pulses
+    if kind == "ricker" and (center, duration) != (CALM * period, CALM * period + CALM * period):
+        raise _missing_of_floor(ground)
+    yield "floor", "pulse"
+    yield "pulse", "rectangular" if kind == "constant" else kind
+    yield "shake", plain(math.hypot(x, y))
+    yield "direction", plain(math.degrees(math.atan2(y, x)))
+    yield "vertical", plain(z)
+    yield "period", plain(duration if kind == "constant" else period)
+    if kind in ("sine", "cosine"):
+        yield "cycles", shortest(duration, duration / period, lambda shown: shown * period)
+    yield "flat", str(flat)
+    if start is not None and start.tilt == 0.0:
+        yield "start", "standing"
+
+
+def _missing_of_floor(ground: Ground) -> RimrollError:
+    return RimrollError(
+        "ground cannot be shown in the lab, which has one pulse with the same times in x, y and z,"
+        f" and no records, got {ground!r}: a film shows any ground (motion.film)"
+    )

@@ -9,19 +9,18 @@ from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rimroll.body import Body
-from rimroll.browser.built_page import built_page, page_alone
-from rimroll.browser.setup import setup_of
-from rimroll.browser.setup_check import check
+from rimroll.bodies.body import Body
+from rimroll.browser.page import built_page, page_alone
+from rimroll.browser.setup import check, setup_of
 from rimroll.errors import RimrollError
-from rimroll.given import Number, whole_number
+from rimroll.files.output import writing
 from rimroll.laws import Law
 from rimroll.options import FlatLanding
-from rimroll.output import writing
 from rimroll.state import State
+from rimroll.units import Number, whole_number
 
 if TYPE_CHECKING:
-    from rimroll.browser.server import BackgroundServer
+    from rimroll.browser.page import BackgroundServer
     from rimroll.ground.ground import Ground
 
 PATIENCE = 30.0
@@ -60,7 +59,7 @@ class Lab:
         It is served to this machine alone, as long as Python runs. A page that is open needs no
         server any more. Raises ``RimrollError`` where no browser opens.
         """
-        from rimroll.browser.server import BackgroundServer  # brings http.server, slow to load
+        from rimroll.browser.page import BackgroundServer  # brings http.server, slow to load
 
         if self._server is None:
             self._server = BackgroundServer(self._page)

@@ -9,7 +9,7 @@ from dataclasses import asdict
 from typing import Any
 
 from rimroll._core import __version__
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.cli.contact import option
 from rimroll.cli.options import JsonOption
 from rimroll.cli.request import NUMBERS

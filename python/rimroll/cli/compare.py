@@ -24,12 +24,12 @@ from rimroll.cli.outcomes import FILE, IDEALS, USUAL, Outcome, outcome, tables
 from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, working
 from rimroll.cli.turn import arrival_of, body_line, limit_in_words, start_line
-from rimroll.endings import ending_in_words
 from rimroll.errors import RimrollError
+from rimroll.files.recorded import ending_in_words
 from rimroll.laws import Law, NoSlip, parameters_of
+from rimroll.laws.surfaces import SURFACES
 from rimroll.motion import Motion
-from rimroll.surfaces import SURFACES
-from rimroll.theory import needed_friction
+from rimroll.theory.closed_forms import needed_friction
 from rimroll.units import quantity
 
 if TYPE_CHECKING:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from rimroll import laws, surfaces
-from rimroll.body import Body
+from rimroll import laws
+from rimroll.bodies.body import Body
 from rimroll.cli.options import PARAMETERS, LawOptions, ResistanceOptions
-from rimroll.errors import RimrollError, UnitError
+from rimroll.errors import RimrollError, UnitError, typed
 from rimroll.laws import (
     AirDrag,
     Coulomb,
@@ -19,8 +19,8 @@ from rimroll.laws import (
     Resistance,
     RollingResistance,
     parameters_of,
+    surfaces,
 )
-from rimroll.names import typed
 from rimroll.scenario import FILM
 from rimroll.units import air_unit, quantity
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rimroll.cli.formats import Forms, write_csv, write_json
 from rimroll.cli.screen import Bar
-from rimroll.falls import Column, Falls
+from rimroll.many.falls import Column, Falls
 
 DIRECTION = "of fall or of the largest tilt, anticlockwise from that of the first lean"
 

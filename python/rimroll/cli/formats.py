@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from rimroll.cli.screen import Bar, plain, working
 from rimroll.errors import RimrollError
-from rimroll.output import place_of, writing
+from rimroll.files.output import place_of, writing
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

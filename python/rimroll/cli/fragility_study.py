@@ -15,8 +15,8 @@ from rimroll.cli.records import Levels
 from rimroll.cli.request import Request
 from rimroll.cli.screen import working
 from rimroll.errors import RimrollError
-from rimroll.falls import Column, Falls, Interrupted
 from rimroll.ground.ground import Ground
+from rimroll.many.falls import Column, Falls, Interrupted
 from rimroll.shaking.incremental import Measure, Rocking
 from rimroll.shaking.lognormal import Fragility, UndecidedWarning, reached
 from rimroll.shaking.lognormal import fragility as fitted

@@ -13,7 +13,7 @@ from rimroll.cli.fragility_study import LimitState, Study
 from rimroll.cli.hints import undecided_hints
 from rimroll.cli.screen import prose, say, table, unbroken
 from rimroll.cli.turn import body_line, start_in_words
-from rimroll.endings import ending_in_words
+from rimroll.files.recorded import ending_in_words
 from rimroll.shaking.lognormal import Fragility
 
 

@@ -13,9 +13,8 @@ import typer
 from rimroll.cli.contact import option
 from rimroll.cli.options import BodyOptions, MotionOptions, StartOptions, completing, pairs
 from rimroll.cli.request import Shaking, is_file
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, typed
 from rimroll.ground.described import NUMBERS, PULSES, Description
-from rimroll.names import typed
 from rimroll.options import KINDS, ON_MOVING_TABLES, FlatLanding, flat_given
 from rimroll.units import quantity
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.cli.fitted_numbers import numbers_table
 from rimroll.cli.screen import prose, say
 from rimroll.errors import RimrollError
@@ -12,7 +12,7 @@ from rimroll.laws import Coulomb, Law, RollingResistance
 from rimroll.sensors.gyro.analysis import Analysis
 from rimroll.sensors.gyro.motion_fit import fit_analysis
 from rimroll.sensors.gyro.motion_result import MotionFit
-from rimroll.theory import needed_friction
+from rimroll.theory.closed_forms import needed_friction
 
 FIRST_RESISTANCE = 3e-4
 """The rolling resistance from which a search begins."""

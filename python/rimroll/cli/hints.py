@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Container
 
-from rimroll.body import Body
+from rimroll.bodies.body import Body
+from rimroll.errors import typed
 from rimroll.laws import Frictionless, InPlace, Law, NoSlip
 from rimroll.motion import Motion, simulate
-from rimroll.names import typed
 from rimroll.options import Options
 from rimroll.state import State, single
-from rimroll.theory import balance_tilt
+from rimroll.theory.closed_forms import balance_tilt
 
 
 def hints(motion: Motion, friction_option: str) -> list[str]:

@@ -9,13 +9,13 @@ from urllib.parse import quote
 
 import typer
 
-from rimroll.browser.built_page import built_page
-from rimroll.browser.setup_check import check
+from rimroll.browser.page import built_page
+from rimroll.browser.setup import check
 from rimroll.cli.screen import say
 from rimroll.errors import RimrollError
 
 if TYPE_CHECKING:
-    from rimroll.browser.server import PageServer
+    from rimroll.browser.page import PageServer
 
 
 LAB = "lab"
@@ -69,7 +69,7 @@ def _check(setup: str, page: Path) -> None:
 
 
 def _server(page: Path, port: int) -> PageServer:
-    from rimroll.browser.server import PageServer  # brings http.server, slow to load
+    from rimroll.browser.page import PageServer  # brings http.server, slow to load
 
     try:
         return PageServer(page, port)

@@ -28,15 +28,15 @@ from rimroll.cli.ranges import ends
 from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, working
 from rimroll.cli.turn import body_line
-from rimroll.endings import FELL, ending_in_words
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
-from rimroll.falls import Falls, Interrupted
+from rimroll.files.recorded import FELL, ending_in_words
 from rimroll.laws import IDEAL
-from rimroll.left_or_right import map_falls, watershed_slope
-from rimroll.many_falls import fell, outcomes
+from rimroll.many.ensemble import fell, outcomes
+from rimroll.many.falls import Falls, Interrupted
+from rimroll.many.left_or_right import map_falls, watershed_slope
 from rimroll.state import State
-from rimroll.theory import turn_limit
+from rimroll.theory.closed_forms import turn_limit
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -102,7 +102,7 @@ MapOutputOption = Annotated[
 
 
 def _map(falls: Falls) -> Figure:
-    from rimroll.map_plot import map_figure
+    from rimroll.many.map_figure import map_figure
 
     return map_figure(falls)
 

@@ -15,11 +15,10 @@ from rimroll._core import __version__
 from rimroll.cli.contact import option
 from rimroll.cli.options import JsonOption
 from rimroll.cli.screen import prose, say, show_json, table
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, typed
 from rimroll.experiment.measurement import Measurement, measured
 from rimroll.experiment.readings import ESTIMATE, UNITS, main_source, pretty
-from rimroll.names import typed
-from rimroll.output import writing
+from rimroll.files.output import writing
 from rimroll.units import UNIT_OF
 
 INERTIA = {

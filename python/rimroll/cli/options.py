@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from rimroll import laws, surfaces
-from rimroll.errors import RimrollError
-from rimroll.laws import Parameter
-from rimroll.laws.shared import RESTITUTION
-from rimroll.names import typed
+from rimroll import laws
+from rimroll.errors import RimrollError, typed
+from rimroll.laws import Parameter, surfaces
+from rimroll.laws.parameters import RESTITUTION
 from rimroll.scenario import MAX_STEPS, presets
 
 

@@ -7,13 +7,21 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-from rimroll import surfaces
 from rimroll.cli.request import Request
 from rimroll.cli.turn import Limit, limit_of
-from rimroll.errors import RimrollError
-from rimroll.laws import IDEAL, Coulomb, Frictionless, InPlace, Law, NoSlip, Tabulated, in_brief
+from rimroll.errors import RimrollError, choose, typed
+from rimroll.laws import (
+    IDEAL,
+    Coulomb,
+    Frictionless,
+    InPlace,
+    Law,
+    NoSlip,
+    Tabulated,
+    in_brief,
+    surfaces,
+)
 from rimroll.motion import Motion, Turn, simulate
-from rimroll.names import choose, typed
 from rimroll.units import quantity
 
 IDEALS: dict[str, Law] = {typed(law.name): law for law in IDEAL}

@@ -14,12 +14,11 @@ from rimroll.cli.contact import option
 from rimroll.cli.ground import RecordOptions
 from rimroll.cli.options import completing, whole
 from rimroll.cli.ranges import ends
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, choose, typed
 from rimroll.ground.files import read_all
 from rimroll.ground.ground import MAX_FACTOR, Ground
 from rimroll.ground.lines import HORIZONTAL
 from rimroll.ground.pulses import synthetic
-from rimroll.names import choose, typed
 from rimroll.shaking.incremental import MEASURES, Measure
 from rimroll.units import quantity
 

@@ -11,10 +11,9 @@ import typer
 from rimroll.cli.contact import option
 from rimroll.cli.request import Request
 from rimroll.cli.screen import NO_BREAK, unbroken
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, typed
 from rimroll.experiment import release as releases
 from rimroll.experiment.release import Release
-from rimroll.names import typed
 from rimroll.units import quantity, tilt_angle
 
 Text = str | None

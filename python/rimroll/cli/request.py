@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rimroll import bodies
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.cli.contact import option, requested_law, with_resistances
 from rimroll.cli.options import (
     BodyOptions,
@@ -18,14 +18,12 @@ from rimroll.cli.options import (
     ResistanceOptions,
     StartOptions,
 )
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, choose
 from rimroll.experiment.release import nudged
-from rimroll.given import positive
-from rimroll.names import choose
 from rimroll.options import FlatLanding, Options, landing_given
 from rimroll.scenario import AFTER, Scenario, load, presets
 from rimroll.state import State
-from rimroll.units import START_UNIT_OF, UNIT_OF, quantity, size_of_body, tilt_angle
+from rimroll.units import START_UNIT_OF, UNIT_OF, positive, quantity, size_of_body, tilt_angle
 
 if TYPE_CHECKING:
     from rimroll.ground.ground import Ground

@@ -16,7 +16,7 @@ from rimroll.errors import RimrollError
 from rimroll.figures import style
 from rimroll.motion import Array, Moments, Motion
 from rimroll.motion.figure import TIME_UNITS, near_collision_window
-from rimroll.theory import needed_friction
+from rimroll.theory.closed_forms import needed_friction
 
 DASHES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1, 1)), (0, (5, 1, 1, 1)), (0, (2.5, 1)), "-.")
 

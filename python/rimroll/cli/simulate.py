@@ -27,8 +27,8 @@ from rimroll.cli.options import (
 from rimroll.cli.request import Request, Shaking, requested
 from rimroll.cli.screen import prose, say, show_json, working
 from rimroll.cli.turn import body_line, show_turns, start_line
-from rimroll.endings import ending_in_words
 from rimroll.errors import RimrollError
+from rimroll.files.recorded import ending_in_words
 from rimroll.motion import Moments, Motion
 from rimroll.motion.words import shaken_in_words
 from rimroll.units import quantity

@@ -29,11 +29,11 @@ from rimroll.cli.release import ReleaseOptions, release_line, requested_release
 from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, unbroken, working
 from rimroll.cli.turn import body_line
-from rimroll.endings import FELL, ending_in_words
+from rimroll.errors import typed
 from rimroll.experiment.release import Release
 from rimroll.experiment.toppling import counted, let_go, limits
-from rimroll.falls import Falls, Interrupted
-from rimroll.names import typed
+from rimroll.files.recorded import FELL, ending_in_words
+from rimroll.many.falls import Falls, Interrupted
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

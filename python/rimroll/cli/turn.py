@@ -9,7 +9,7 @@ from typing import Any
 from rich.table import Table
 
 from rimroll._core import __version__
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.cli.contact import in_words
 from rimroll.cli.hints import hints
 from rimroll.cli.options import (
@@ -22,12 +22,11 @@ from rimroll.cli.options import (
 )
 from rimroll.cli.request import Request, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, unbroken, working
-from rimroll.errors import NoNearCollision, RimrollError
+from rimroll.errors import NoNearCollision, RimrollError, typed
 from rimroll.laws import IDEAL, Coulomb, Law, Stribeck, Viscous, has_one_limit
 from rimroll.motion import Motion, simulate
-from rimroll.names import typed
 from rimroll.state import State
-from rimroll.theory import (
+from rimroll.theory.closed_forms import (
     Arrival,
     arrival,
     balance_tilt,

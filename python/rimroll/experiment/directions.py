@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 from rimroll.errors import RimrollError, UnitError
 from rimroll.experiment.predicted import TURN
 from rimroll.experiment.release import normal_quantiles
-from rimroll.given import number, whole_number
-from rimroll.table import Row, Source, Table, read_table
-from rimroll.units import quantity
+from rimroll.files.table import Row, Source, Table, read_table
+from rimroll.units import number, quantity, whole_number
 
 Array = NDArray[np.float64]
 

@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core
-from rimroll.body import Body, one_body
-from rimroll.directions import around, middle_of
+from rimroll.bodies.body import Body, one_body
 from rimroll.errors import RimrollError, callback, expect
 from rimroll.experiment.likelihood import (
     MAX_BIAS,
@@ -34,8 +33,9 @@ from rimroll.experiment.predicted import (
     predict_falls,
 )
 from rimroll.experiment.release import Release
-from rimroll.given import Number, Values, number, without_unit
 from rimroll.laws import Coulomb
+from rimroll.many.map_figure import around, middle_of
+from rimroll.units import Number, Values, number, without_unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

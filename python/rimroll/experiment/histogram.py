@@ -17,17 +17,16 @@ from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import MaxNLocator
 
 from rimroll import bodies
-from rimroll.body import Body, body_of, one_body
-from rimroll.directions import around, away, middle_of
-from rimroll.endings import ending_in_words
-from rimroll.errors import RimrollError
+from rimroll.bodies.body import Body, body_of, one_body
+from rimroll.errors import RimrollError, typed
 from rimroll.experiment.toppling import counted, limits
-from rimroll.falls import Falls
 from rimroll.figures import style
 from rimroll.figures.style import directions_in_degrees
+from rimroll.files.recorded import ending_in_words
 from rimroll.laws import LAWS, Law, in_brief, law_of
-from rimroll.many_falls import Array
-from rimroll.names import typed
+from rimroll.many.ensemble import Array
+from rimroll.many.falls import Falls
+from rimroll.many.map_figure import around, away, middle_of
 from rimroll.paper.setting import MEASURED
 
 if TYPE_CHECKING:

@@ -23,11 +23,10 @@ from functools import cached_property
 from uncertainties import UFloat, ufloat, umath, wrap
 
 from rimroll import _core
-from rimroll.body import Body
-from rimroll.errors import RimrollError
+from rimroll.bodies.body import Body
+from rimroll.errors import RimrollError, choose
 from rimroll.experiment.readings import ESTIMATE, Readings, pretty
-from rimroll.given import Number
-from rimroll.names import choose
+from rimroll.units import Number
 
 RADIUS = (("radius",), ("diameter",))
 HEIGHT = (("balance_point",), ("balance_tilt",))

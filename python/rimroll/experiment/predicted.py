@@ -15,15 +15,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body, one_body
+from rimroll.bodies.body import Body, one_body
 from rimroll.errors import RimrollError, callback
 from rimroll.experiment.release import Release, normal_quantiles
 from rimroll.experiment.toppling import FALLING
-from rimroll.given import Number, number, whole_number
 from rimroll.laws import Coulomb, NoSlip
-from rimroll.many_falls import follow
+from rimroll.many.ensemble import follow
 from rimroll.state import State
-from rimroll.theory import arrival, needed_friction
+from rimroll.theory.closed_forms import arrival, needed_friction
+from rimroll.units import Number, number, whole_number
 
 Array = NDArray[np.float64]
 

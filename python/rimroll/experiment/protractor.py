@@ -21,12 +21,11 @@ from matplotlib.patches import Circle, Polygon, Rectangle, Wedge
 from matplotlib.patheffects import withStroke
 
 from rimroll._core import __version__
-from rimroll.body import Body, one_body
-from rimroll.errors import RimrollError
+from rimroll.bodies.body import Body, one_body
+from rimroll.errors import RimrollError, choose
 from rimroll.figures.style import figure_style
 from rimroll.laws import Frictionless, NoSlip
-from rimroll.names import choose
-from rimroll.theory import turn_limit
+from rimroll.theory.closed_forms import turn_limit
 
 
 @dataclass(frozen=True)

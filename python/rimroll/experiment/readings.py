@@ -15,8 +15,7 @@ from uncertainties import UFloat
 from uncertainties.core import Variable
 
 from rimroll.errors import RimrollError
-from rimroll.given import without_unit
-from rimroll.units import has_uncertainty, quantity, reading, size_of_body
+from rimroll.units import has_uncertainty, quantity, reading, size_of_body, without_unit
 
 UNITS = {
     "mass": "kg",

@@ -11,13 +11,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body, one_body
-from rimroll.errors import RimrollError
-from rimroll.given import Number, number, positive, random_seed, whole_number
-from rimroll.names import choose
+from rimroll.bodies.body import Body, one_body
+from rimroll.errors import RimrollError, choose
 from rimroll.state import State
-from rimroll.theory import balance_tilt
-from rimroll.units import START_UNIT_OF, in_degrees_hint
+from rimroll.theory.closed_forms import balance_tilt
+from rimroll.units import (
+    START_UNIT_OF,
+    Number,
+    in_degrees_hint,
+    number,
+    positive,
+    random_seed,
+    whole_number,
+)
 
 Array = NDArray[np.float64]
 

@@ -11,16 +11,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.body import Body, body_of, one_body
+from rimroll.bodies.body import Body, body_of, one_body
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
-from rimroll.falls import Falls, Interrupted
-from rimroll.given import Number
 from rimroll.laws import IDEAL, Law, law_of, one_law
-from rimroll.many_falls import OPTIONS, follow
+from rimroll.many.ensemble import OPTIONS, follow
+from rimroll.many.falls import Falls, Interrupted
 from rimroll.options import Keywords, Options, takes_options
 from rimroll.state import State
-from rimroll.theory import arrival, turn_limit
+from rimroll.theory.closed_forms import arrival, turn_limit
+from rimroll.units import Number
 
 if TYPE_CHECKING:
     from typing import Unpack

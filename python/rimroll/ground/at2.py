@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
+from rimroll.files.titles import expect_step
 from rimroll.ground.columns import RECORD, Direction, axis_of, direction_of, factor_of_unit
-from rimroll.titles import expect_step
 
 Array = NDArray[np.float64]
 

@@ -12,11 +12,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, UnitError
-from rimroll.given import Number, number, positive
+from rimroll.files.table import Table, table_of
+from rimroll.files.titles import (
+    Title,
+    columns_given,
+    expect_step,
+    seconds_of,
+    time_column,
+    titles_of,
+)
 from rimroll.ground.pulses import along
-from rimroll.table import Table, table_of
-from rimroll.titles import Title, columns_given, expect_step, seconds_of, time_column, titles_of
-from rimroll.units import factor_of
+from rimroll.units import Number, factor_of, number, positive
 
 Array = NDArray[np.float64]
 

@@ -9,8 +9,8 @@ import numpy as np
 
 from rimroll import _core
 from rimroll.errors import RimrollError
-from rimroll.given import number, numbers
 from rimroll.ground.ground import Ground
+from rimroll.units import number, numbers
 
 if TYPE_CHECKING:
     import xarray as xr

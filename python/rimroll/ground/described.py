@@ -7,11 +7,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, choose, typed
 from rimroll.ground.files import read
 from rimroll.ground.ground import MAX_FACTOR, Ground
 from rimroll.ground.pulses import cosine, half_sine, rectangular, ricker, sine
-from rimroll.names import choose, typed
 
 PULSES: dict[str, Callable[..., Ground]] = {
     "sine": sine,

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
-from rimroll.given import Number
+from rimroll.files.table import Source, source_name, text_of
 from rimroll.ground.at2 import Component, component_of, is_at2, station_of
 from rimroll.ground.columns import (
     DOWN,
@@ -30,7 +30,7 @@ from rimroll.ground.columns import (
 from rimroll.ground.ground import Ground
 from rimroll.ground.pulses import along, sampled
 from rimroll.ground.streams import EAST
-from rimroll.table import Source, source_name, text_of
+from rimroll.units import Number
 
 Array = NDArray[np.float64]
 

@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.errors import RimrollError, hold
-from rimroll.given import Number, Values, number, numbers, positive
+from rimroll.errors import RimrollError, choose, hold
 from rimroll.ground.lines import (
     HORIZONTAL,
     Lines,
@@ -25,7 +24,7 @@ from rimroll.ground.lines import (
     peak_of_part,
     takes_long,
 )
-from rimroll.names import choose
+from rimroll.units import Number, Values, number, numbers, positive
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.errors import RimrollError, hold
-from rimroll.given import Number, Values, numbers, positive, random_seed
 from rimroll.ground.ground import Ground
 from rimroll.ground.lines import MAX_POINTS
+from rimroll.units import Number, Values, numbers, positive, random_seed
 
 Array = NDArray[np.float64]
 

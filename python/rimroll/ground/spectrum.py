@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, hold
-from rimroll.given import Number, Values, number, numbers
 from rimroll.ground.lines import MAX_POINTS, Lines, along, combined
+from rimroll.units import Number, Values, number, numbers
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
-from rimroll.given import numbers, positive
+from rimroll.files.titles import expect_step
 from rimroll.ground.columns import (
     RECORD,
     STRONGEST,
@@ -19,7 +19,7 @@ from rimroll.ground.columns import (
 )
 from rimroll.ground.ground import Ground
 from rimroll.ground.pulses import sampled
-from rimroll.titles import expect_step
+from rimroll.units import numbers, positive
 
 Array = NDArray[np.float64]
 

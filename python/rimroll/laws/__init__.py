@@ -5,11 +5,18 @@
 Coulomb(friction=0.3) + RollingResistance(dry=0.001)
 """
 
-from rimroll.laws.core import OneLaw
-from rimroll.laws.coulomb import Coulomb
-from rimroll.laws.ideal import Frictionless, NoSlip
-from rimroll.laws.in_place import InPlace
-from rimroll.laws.known import IDEAL, has_one_limit, ideal
+from rimroll.laws.friction import (
+    IDEAL,
+    Coulomb,
+    Frictionless,
+    InPlace,
+    NoSlip,
+    Stribeck,
+    Tabulated,
+    Viscous,
+    has_one_limit,
+    ideal,
+)
 from rimroll.laws.law import (
     LAWS,
     Law,
@@ -20,14 +27,12 @@ from rimroll.laws.law import (
     one_law,
 )
 from rimroll.laws.parameters import (
+    OneLaw,
     Parameter,
     in_brief,
     parameters_of,
 )
 from rimroll.laws.resistances import AirDrag, PivotingFriction, Resistance, RollingResistance
-from rimroll.laws.stribeck import Stribeck
-from rimroll.laws.tabulated import Tabulated
-from rimroll.laws.viscous import Viscous
 
 __all__ = [
     "IDEAL",

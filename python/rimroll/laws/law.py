@@ -7,25 +7,26 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from rimroll.errors import RimrollError, expect
-from rimroll.falls import Falls
-from rimroll.grid import Grid
-from rimroll.laws.core import OneLaw, check, only_fixed
+from rimroll.errors import RimrollError, choose, expect, typed
+from rimroll.files.recorded import expect_dataset, is_recorded, not_recorded, recorded
 from rimroll.laws.parameters import (
+    OneLaw,
     Parameter,
     Parameters,
+    check,
     listed,
+    only_fixed,
     parameters_of,
     varied_numbers,
 )
 from rimroll.laws.resistances import RESISTANCES, Resistance
-from rimroll.names import choose, typed
-from rimroll.recorded import expect_dataset, is_recorded, not_recorded, recorded
+from rimroll.many.falls import Falls
+from rimroll.many.grid import Grid
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from rimroll.recorded import Record
+    from rimroll.files.recorded import Record
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -133,7 +134,7 @@ def one_law(law: Any) -> Law:
 
 
 LAWS: dict[str, type[Law]] = {}
-"""The laws by name, in the core's order; :mod:`rimroll.laws.known` lists them."""
+"""The laws by name, in the core's order; :mod:`rimroll.laws.friction` lists them."""
 
 
 def _expect_known(kind: type[Law]) -> None:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, field, fields, replace
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
+from rimroll import _core
 from rimroll.errors import RimrollError
-from rimroll.given import numbers as array
-from rimroll.given import values
-from rimroll.grid import is_array, key, same
+from rimroll.many.grid import Grid, is_array, key, same
+from rimroll.units import numbers as array
+from rimroll.units import values
 
 
 @dataclass(frozen=True)
@@ -114,3 +115,39 @@ def in_brief(value: float | tuple[float, ...]) -> str:
     if isinstance(value, tuple):
         return f"{min(value):g} to {max(value):g}"
     return f"{value:g}"
+
+
+FRICTION = Parameter(help="Friction over normal force while the rim slides.")
+STATIC = Parameter(
+    option="static_friction",
+    help="Largest friction over normal force while the rim sticks. [as --friction]",
+)
+RESTITUTION = Parameter(help="Restitution of landings, 0 to 1; not for no-slip. [0]")
+
+
+class OneLaw(NamedTuple):
+    """The name of a law and its numbers, as the core reads them."""
+
+    name: str
+    numbers: dict[str, float]
+
+
+def only_fixed(name: str, numbers: Mapping[str, Any], varied: Mapping[str, Any]) -> OneLaw:
+    """The law of that name without the numbers that are varied."""
+    return OneLaw(name, {key: value for key, value in numbers.items() if key not in varied})
+
+
+def check(fixed: OneLaw, varied: Mapping[str, Any]) -> None:
+    """Raise ``RimrollError`` naming the first number that is out of bounds.
+
+    ``varied`` are the numbers that are arrays.
+    """
+    if not varied:
+        _core.check_contact_law(fixed)
+        return
+    grid = Grid.over(varied)
+    columns = {name: grid.flat(value) for name, value in varied.items()}
+    bad = _core.first_bad_contact_law(fixed, columns)
+    if bad is not None:
+        row, error = bad
+        raise grid.placed(error, varied, row)

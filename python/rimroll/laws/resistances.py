@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 
 from rimroll import _core
-from rimroll.given import Number, Values, number, positive
-from rimroll.laws.core import check, only_fixed
 from rimroll.laws.parameters import (
     Parameter,
     Parameters,
+    check,
+    only_fixed,
     parameters_of,
     varied_numbers,
 )
-from rimroll.units import air_unit
+from rimroll.units import Number, Values, air_unit, number, positive
 
 
 class _Resistance(Parameters):

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from rimroll.figures import style
 from rimroll.laws import NoSlip, has_one_limit
 from rimroll.motion.moments import footprint_of
-from rimroll.theory import balance_tilt, needed_friction, turn_limit
+from rimroll.theory.closed_forms import balance_tilt, needed_friction, turn_limit
 
 if TYPE_CHECKING:
     from rimroll.ground.ground import Ground

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.names import choose
+from rimroll.errors import choose
 from rimroll.units import START_UNIT_OF, UNIT_OF
 
 if TYPE_CHECKING:

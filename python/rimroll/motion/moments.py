@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.state import State
 from rimroll.units import START_UNIT_OF
 

@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rimroll import _core
-from rimroll.body import Body, body_of
+from rimroll.bodies.body import Body, body_of
 from rimroll.errors import RimrollError
+from rimroll.files.recorded import expect_dataset
 from rimroll.laws import Law, law_of
 from rimroll.motion.trajectory import Trajectory
 from rimroll.motion.words import motion_in_html
 from rimroll.options import Options, flat_in_core, landing_given, options_of
-from rimroll.recorded import expect_dataset
 from rimroll.state import State, single, start_of
 
 if TYPE_CHECKING:

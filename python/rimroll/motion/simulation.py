@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, overload
 
-from rimroll.body import Body, one_body
+from rimroll.bodies.body import Body, one_body
+from rimroll.bodies.polygons import PolygonalBody
 from rimroll.errors import RimrollError, callback, expect
-from rimroll.given import Number, number
 from rimroll.laws import Law, one_law
 from rimroll.motion.motion import Motion, follow
 from rimroll.options import Keywords, Options, ground_given, takes_options
-from rimroll.polygon.body import PolygonalBody
 from rimroll.state import State, single
+from rimroll.units import Number, number
 
 if TYPE_CHECKING:
     from typing import Unpack
 
     from rimroll.ground.ground import Ground
-    from rimroll.polygon.motion import PolygonMotion
+    from rimroll.motion.polygons import PolygonMotion
 
 
 @overload
@@ -162,7 +162,7 @@ def simulate(
     one_law(law)
     chosen = Options().changed(options, duration, keywords)
     if isinstance(body, PolygonalBody):
-        from rimroll.polygon.motion import follow as follow_corners
+        from rimroll.motion.polygons import follow as follow_corners
 
         if ground is not None or chosen.flat not in (None, "stop") or chosen.flat_gap or jacobian:
             raise RimrollError(

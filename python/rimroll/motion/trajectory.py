@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.errors import RimrollError, hold
-from rimroll.given import Values, whole_number
+from rimroll.files.recorded import parameters
 from rimroll.laws import InPlace, Law
 from rimroll.motion.crossings import checked, crossings
 from rimroll.motion.jacobian import QUANTITIES, SHAKEN_PARAMETERS, Jacobian
@@ -31,9 +31,9 @@ from rimroll.motion.moments import (
 )
 from rimroll.motion.validity import Validity, validity_of
 from rimroll.options import Options, flat_as_text, landing_given
-from rimroll.recorded import parameters
 from rimroll.state import State, times
-from rimroll.theory import balance_tilt
+from rimroll.theory.closed_forms import balance_tilt
+from rimroll.units import Values, whole_number
 
 if TYPE_CHECKING:
     import xarray as xr

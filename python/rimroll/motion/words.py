@@ -6,11 +6,11 @@ from html import escape
 
 import numpy as np
 
-from rimroll.endings import STATUSES
 from rimroll.figures.notebook import table
+from rimroll.files.recorded import STATUSES
 from rimroll.motion.moments import TURN_HEAD, turn_cells
 from rimroll.motion.trajectory import Trajectory
-from rimroll.theory import balance_tilt
+from rimroll.theory.closed_forms import balance_tilt
 
 
 def shaken_in_words(motion: Trajectory) -> str:

@@ -11,14 +11,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rimroll import bodies, theory
-from rimroll.body import Body
+from rimroll import bodies
+from rimroll.bodies.body import Body
 from rimroll.figures.style import superscript
 from rimroll.laws import Frictionless, NoSlip
 from rimroll.motion import Motion, simulate
 from rimroll.paper.figures import disks_against_friction as disks
 from rimroll.paper.figures import turn_against_friction as dry
 from rimroll.paper.setting import CAN, GRAVITY, LAWS, motion, start
+from rimroll.theory import closed_forms
 
 AGREES, CUT, DIFFERS, MEASURED = "agrees", "cut, not rounded", "differs", "measured"
 INPUT = "input"
@@ -71,7 +72,7 @@ class Claim:
 
 
 def _limit(body: Body, law: NoSlip | Frictionless) -> float:
-    return float(np.degrees(theory.turn_limit(body, law)))
+    return float(np.degrees(closed_forms.turn_limit(body, law)))
 
 
 def angles_of_the_can() -> list[Claim]:
@@ -129,7 +130,7 @@ def disks_and_rings() -> list[Claim]:
         Claim("Disks", "… “about 48 degrees less than a full rotation”", 48, "°", 360 - ring, 0.5),
         Claim("Disks", "disk and ring “differ by about 90 degrees”", 90, "°", disk - ring, 1.0),
         Claim("Disks", "between ring and disk (k from 0.707 to 1) one bounces straight back: its turn",
-              360, "°", float(np.degrees(theory.disk_turn_limit(straight_back))), 1e-9,
+              360, "°", float(np.degrees(closed_forms.disk_turn_limit(straight_back))), 1e-9,
               f"k = √(2/3) = {straight_back:.4f}."),
         Claim("Disks", "“no dependence … on the form of the friction law or the magnitude of the friction”: "
               "largest difference of the near-collision from π√(2+k²)/k", 0, "°", disks.spread_of_the_step(), 1e-6,
@@ -216,7 +217,7 @@ def simulated_motion() -> list[Claim]:
     ratio = float(np.max(motion(NoSlip()).samples(4).friction_ratio))
     claims.append(
         Claim(where, "“only a finite coefficient of friction is required”: our closed form "
-              "mHR/(A+mH²), and the largest ratio in the simulation", theory.needed_friction(CAN), "",
+              "mHR/(A+mH²), and the largest ratio in the simulation", closed_forms.needed_friction(CAN), "",
               ratio, 0.005, "The paper gives no number.", digits=4)
     )  # fmt: skip
     return claims

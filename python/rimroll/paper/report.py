@@ -16,13 +16,13 @@ import numpy as np
 from rimroll import _core
 from rimroll.figures.animation import animate
 from rimroll.figures.style import figure_style
-from rimroll.output import ensure_folder, writing
+from rimroll.files.output import ensure_folder, writing
 from rimroll.paper import setting
 from rimroll.paper.claims import Claim, all_claims
 from rimroll.paper.drawing import Drawing, Table
 from rimroll.paper.errata import ERRATA
 from rimroll.paper.figures import FIGURES
-from rimroll.theory import turn_limit
+from rimroll.theory.closed_forms import turn_limit
 
 Progress = Callable[[int, int, str], None]
 

@@ -22,9 +22,10 @@ from pydantic import (
 )
 from pydantic_core import ErrorDetails
 
-from rimroll import laws, solids, surfaces
-from rimroll.body import Body
-from rimroll.errors import RimrollError
+from rimroll import laws
+from rimroll.bodies import solids
+from rimroll.bodies.body import Body
+from rimroll.errors import RimrollError, choose, nearest, typed
 from rimroll.ground.described import NUMBERS, Description
 from rimroll.ground.ground import Ground
 from rimroll.laws import (
@@ -36,17 +37,10 @@ from rimroll.laws import (
     Resistance,
     RollingResistance,
     parameters_of,
+    surfaces,
 )
-from rimroll.names import choose, nearest, typed
 from rimroll.options import FlatLanding, Options, landing_given
-from rimroll.scenario import (
-    AFTER,
-    FILM,
-    MAX_STEPS,
-    RESISTANCES,
-    Scenario,
-    presets,
-)
+from rimroll.scenario.scenario import AFTER, FILM, MAX_STEPS, RESISTANCES, Scenario, presets
 from rimroll.state import State
 from rimroll.units import UNIT_OF, air_unit, quantity, size_of_body, tilt_angle
 

@@ -16,11 +16,11 @@ from typing import Any, Generic, Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.errors import RimrollError
 from rimroll.laws import Law
 from rimroll.laws.parameters import parameters_of
-from rimroll.theory import needed_friction
+from rimroll.theory.closed_forms import needed_friction
 
 Array = NDArray[np.float64]
 

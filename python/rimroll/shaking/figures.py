@@ -15,7 +15,7 @@ from matplotlib.patches import Patch
 from rimroll.figures import style
 
 if TYPE_CHECKING:
-    from rimroll.falls import Falls
+    from rimroll.many.falls import Falls
     from rimroll.shaking.lognormal import Counts, Fragility
     from rimroll.shaking.maxima import Maxima
     from rimroll.shaking.overturning import OverturningSpectrum

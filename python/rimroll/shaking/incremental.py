@@ -13,11 +13,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.errors import RimrollError
-from rimroll.falls import Column, Falls
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law
+from rimroll.many.falls import Column, Falls
 from rimroll.options import Options
 from rimroll.shaking.lognormal import Counts, reached
 from rimroll.shaking.many import follow_shaken

@@ -11,16 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, hold
-from rimroll.given import Number, Values, number, numbers
-from rimroll.grid import is_labelled
+from rimroll.many.grid import is_labelled
 from rimroll.shaking import jackknife
 from rimroll.shaking.likelihood import Likelihood
+from rimroll.units import Number, Values, number, numbers
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
 
-    from rimroll.falls import Falls
+    from rimroll.many.falls import Falls
 
 Array = NDArray[np.float64]
 Interval = tuple[float, float]

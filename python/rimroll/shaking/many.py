@@ -10,15 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Bodies, Body
+from rimroll.bodies.body import Bodies, Body
 from rimroll.errors import RimrollError, callback, expect, hold
-from rimroll.falls import Column, Falls
-from rimroll.falls import rows as in_rows
-from rimroll.given import Values, thread_count, values
-from rimroll.grid import is_labelled
+from rimroll.files.recorded import parameters
 from rimroll.ground.ground import MAX_FACTOR, Ground
 from rimroll.laws import Law, OneLaw, contact_law
-from rimroll.many_columns import LOSSES, energy_lost, inputs, unless_stopped
+from rimroll.many.falls import Column, Falls
+from rimroll.many.falls import rows as in_rows
+from rimroll.many.grid import is_labelled
+from rimroll.many.rows import LOSSES, Rows, Starts, energy_lost, inputs, unless_stopped
 from rimroll.options import (
     ON_MOVING_TABLES,
     Keywords,
@@ -27,10 +27,9 @@ from rimroll.options import (
     landing_given,
     takes_options,
 )
-from rimroll.recorded import parameters
-from rimroll.rows import Rows, Starts
 from rimroll.shaking.scales import rocking_frequency_of, tilt_of_balance
 from rimroll.state import State
+from rimroll.units import Values, thread_count, values
 
 if TYPE_CHECKING:
     from typing import Unpack
@@ -150,8 +149,8 @@ def shake_many(
     -------
     xarray.Dataset
         One row for each ``trial``, or one value for each place on the named dimensions. The columns
-        are ``status`` (see :data:`rimroll.endings.STATUSES`), the :data:`VARIABLES`, and the inputs
-        ``ground`` (the index in the list), ``scale``, ``start_...``, and ``body_...`` and
+        are ``status`` (see :data:`rimroll.files.recorded.STATUSES`), the :data:`VARIABLES`, and the
+        inputs ``ground`` (the index in the list), ``scale``, ``start_...``, and ``body_...`` and
         ``law_...`` where they differ from row to row. For a body that overturned, the end is the
         moment at which it did, before its side meets the table. The footprint is the circle on
         which the base would stand if the body turned upright about its contact point. ``end_x``,

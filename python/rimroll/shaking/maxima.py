@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.body import Body, one_body
+from rimroll.bodies.body import Body, one_body
 from rimroll.errors import RimrollError, expect, hold
-from rimroll.given import Number, Values, number, numbers, positive, random_seed, whole_number
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law, one_law
 from rimroll.options import Keywords, Options, takes_options
 from rimroll.shaking.lognormal import UndecidedWarning, reached
 from rimroll.shaking.many import SHAKING, follow_shaken
 from rimroll.state import State, single
+from rimroll.units import Number, Values, number, numbers, positive, random_seed, whole_number
 
 if TYPE_CHECKING:
     from typing import Unpack

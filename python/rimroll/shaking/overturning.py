@@ -10,18 +10,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.body import Body, one_body
+from rimroll.bodies.body import Body, one_body
 from rimroll.errors import RimrollError, expect
-from rimroll.falls import Falls
-from rimroll.given import Number, Values, number, positive
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law, NoSlip
+from rimroll.many.falls import Falls
 from rimroll.options import Keywords, Options, takes_options
 from rimroll.shaking.lognormal import reached
 from rimroll.shaking.many import SHAKING, follow_shaken
 from rimroll.shaking.rocking import flat_array
 from rimroll.shaking.scales import rocking_frequency, tangent
 from rimroll.state import State
+from rimroll.units import Number, Values, number, positive
 
 if TYPE_CHECKING:
     from typing import Unpack

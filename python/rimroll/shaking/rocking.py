@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.body import Body, one_body
+from rimroll.bodies.body import Body, one_body
 from rimroll.errors import expect, hold
-from rimroll.given import Values, numbers, positive
 from rimroll.ground.ground import Ground
 from rimroll.laws import Law, NoSlip
 from rimroll.options import Keywords, Options, takes_options
 from rimroll.shaking.many import SHAKING, follow_shaken
 from rimroll.shaking.scales import with_rocking_frequency
 from rimroll.state import State
+from rimroll.units import Values, numbers, positive
 
 if TYPE_CHECKING:
     from typing import Unpack

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from rimroll import _core
-from rimroll.body import Bodies, Body, one_body
+from rimroll.bodies.body import Bodies, Body, one_body
 from rimroll.errors import hold
-from rimroll.given import Number, Values, positive, values
-from rimroll.grid import Grid
+from rimroll.many.grid import Grid
+from rimroll.units import Number, Values, positive, values
 
 
 def tilt_of_balance(bodies: Bodies | Body) -> Any:

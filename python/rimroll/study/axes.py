@@ -12,12 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.body import Body
-from rimroll.errors import RimrollError
+from rimroll.bodies.body import Body
+from rimroll.errors import RimrollError, nearest
 from rimroll.experiment.release import Release
 from rimroll.ground.described import NUMBERS
 from rimroll.laws import LAWS, parameters_of
-from rimroll.names import nearest
 from rimroll.scenario import RESISTANCES, presets
 from rimroll.scenario.tables import Table, as_toml, readable
 from rimroll.units import START_UNIT_OF, UNIT_OF, quantity

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
-from rimroll.output import durably
+from rimroll.files.output import durably
 
 if TYPE_CHECKING:
     from rimroll.study.columns import Columns

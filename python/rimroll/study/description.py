@@ -12,9 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from rimroll.errors import RimrollError
-from rimroll.given import random_seed
-from rimroll.names import nearest
+from rimroll.errors import RimrollError, nearest
 from rimroll.scenario import FILM
 from rimroll.scenario.tables import SimulationTable, Table, as_toml, checked, made, readable
 from rimroll.study.axes import Axis, Described, targets, unit_of
@@ -22,7 +20,7 @@ from rimroll.study.columns import TRIAL
 from rimroll.study.draws import OWN, Random, Sampling
 from rimroll.study.kinds import KINDS, Kind
 from rimroll.study.setups import STATE, Block, Given, records_of
-from rimroll.units import quantity
+from rimroll.units import quantity, random_seed
 
 CASE = "case"
 """The dimension of axes that are zipped."""

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, nearest
 from rimroll.experiment.release import MIN_CHANCE, Release, normal_quantiles
-from rimroll.names import nearest
 
 Array = NDArray[np.float64]
 

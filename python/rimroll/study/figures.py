@@ -11,9 +11,8 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from rimroll.errors import RimrollError
+from rimroll.errors import RimrollError, nearest
 from rimroll.figures import style
-from rimroll.names import nearest
 from rimroll.study.columns import TRIAL
 from rimroll.study.quantities import (
     HISTOGRAM,

@@ -12,18 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.errors import RimrollError
-from rimroll.exact import NUMBERS
-from rimroll.exact_falls import exact_falls
 from rimroll.experiment.likelihood import Likelihood
 from rimroll.experiment.predicted import Predicted, predict_falls
 from rimroll.experiment.release import Release, normal_quantiles
 from rimroll.experiment.toppling import FALLING
-from rimroll.falls import Falls
 from rimroll.ground.ground import Ground
 from rimroll.laws import Coulomb, Law
-from rimroll.many_falls import OPTIONS, VARIABLES, follow
+from rimroll.many.ensemble import OPTIONS, VARIABLES, exact_falls, follow
+from rimroll.many.falls import Falls
 from rimroll.options import FlatLanding, Options
 from rimroll.scenario.tables import SimulationTable, checked, made, read_flat
 from rimroll.shaking.many import VARIABLES as OF_SHAKEN
@@ -48,6 +46,7 @@ from rimroll.study.setups import (
     releases_of,
     starts_of,
 )
+from rimroll.theory.exact import NUMBERS
 
 Array = NDArray[np.float64]
 

@@ -17,8 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.errors import RimrollError
-from rimroll.names import nearest
+from rimroll.errors import RimrollError, nearest
 from rimroll.scenario.tables import as_toml, made
 from rimroll.study.columns import Blocks, Columns, Coordinate, Progress, Variable
 from rimroll.study.description import Description, described

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rimroll.errors import RimrollError
-from rimroll.names import nearest
+from rimroll.errors import RimrollError, nearest
 from rimroll.study.statistics import NUMBER
 from rimroll.study.store import DONE, is_truth
 

@@ -17,13 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, create_model
 
-from rimroll.body import Body
-from rimroll.errors import RimrollError, hold
+from rimroll.bodies.body import Body
+from rimroll.errors import RimrollError, choose, hold, nearest
 from rimroll.experiment.release import PRESETS, Release
 from rimroll.ground import synthetic
 from rimroll.ground.ground import MAX_FACTOR, Ground
 from rimroll.laws import Law, parameters_of
-from rimroll.names import choose, nearest
 from rimroll.scenario import RESISTANCES, presets
 from rimroll.scenario.tables import (
     StartTable,
@@ -276,7 +275,7 @@ def _law_table(law: Any) -> dict[str, Any]:
 
 @lru_cache(maxsize=4096)
 def _read_law_once(table: str, body: tuple[float, ...], gravity: float) -> Law:
-    from rimroll.body import Body
+    from rimroll.bodies.body import Body
 
     return read_law(json.loads(table), Body(*body), gravity)
 
@@ -403,7 +402,7 @@ def _release_table() -> type[Table]:
 
 @lru_cache(maxsize=4096)
 def _read_release_once(table: str, body: tuple[float, ...], gravity: float) -> Release:
-    from rimroll.body import Body
+    from rimroll.bodies.body import Body
 
     read = checked(_release_table(), json.loads(table), "[release]").model_dump(exclude_unset=True)
     preset, unsteadiness = read.pop("preset", None), read.pop("unsteadiness", 1.0)

@@ -21,8 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from rimroll.errors import RimrollError
-from rimroll.names import nearest
+from rimroll.errors import RimrollError, nearest
 from rimroll.scenario.tables import Table, as_toml, checked, readable
 from rimroll.study.columns import TRIAL, Blocks, Columns, Coordinate, Variable
 from rimroll.units import quantity

@@ -31,7 +31,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.output import flush, flush_all
+from rimroll.files.output import flush, flush_all
 from rimroll.study.chunks import Marks, Parts, StoreError, as_store_errors, digest, zarr
 from rimroll.study.columns import Blocks
 from rimroll.study.versions import NAMES as VERSIONS

@@ -13,9 +13,8 @@ import typer
 
 from rimroll.cli.screen import say
 from rimroll.errors import RimrollError
-from rimroll.given import positive
-from rimroll.output import ensure_folder
-from rimroll.units import quantity
+from rimroll.files.output import ensure_folder
+from rimroll.units import positive, quantity
 from rimroll_score import environments, registry, results
 from rimroll_score.page import Bounds, in_ms, in_words
 from rimroll_score.scoring import Missing, Plan, Unknown

@@ -9,7 +9,7 @@ import { say, words } from "../words/words";
 import { BY_HAND } from "../setup/setup";
 import { FIELDS } from "../setup/fields";
 
-/** Dry friction of a metal rim on these materials, as in rimroll.surfaces. */
+/** Dry friction of a metal rim on these materials, as in rimroll.laws.surfaces. */
 const TABLES = { ice: 0.03, wood: 0.3, rubber: 0.8 } as const;
 
 /** Under an ideal law, the reason why the settings of dry friction have no effect. */

@@ -23,8 +23,8 @@ from rimroll.figures import scene
 from rimroll.figures.animation.clock import film_clock
 from rimroll.figures.animation.stage import ShakenStage, Stage
 from rimroll.figures.scene import Camera, Motion, RoundBody
+from rimroll.files.output import writing
 from rimroll.ground.ground import Ground
-from rimroll.output import writing
 
 HOLD = 1.2  # s for which the last picture of a film stays
 GIF_FASTEST = 50.0

@@ -14,7 +14,7 @@ from rimroll.motion import Array, Moments, Motion, simulate
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing
 from rimroll.state import State
-from rimroll.steady import steady_wobble_rate
+from rimroll.theory.steady import steady_wobble_rate
 
 TILT = np.radians(20.0)
 """Tilt from which the can of the first five panels is released, rad."""

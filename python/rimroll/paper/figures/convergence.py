@@ -7,14 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 
-from rimroll.approximations import composite
 from rimroll.figures import style
 from rimroll.figures.style import superscript
 from rimroll.laws import Law
 from rimroll.motion import Array
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
-from rimroll.theory import error_law_coefficient, turn_limit
+from rimroll.theory.approximations import composite
+from rimroll.theory.closed_forms import error_law_coefficient, turn_limit
 
 SIDEWAYS = np.array([float(f"1e-{power}") for power in range(1, 13)])
 """ψ̇ = θ̇ = ε at the release, rad/s."""

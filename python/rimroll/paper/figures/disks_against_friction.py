@@ -8,14 +8,14 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rimroll import bodies
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.figures import style
 from rimroll.laws import Coulomb, Frictionless, Law, NoSlip, Stribeck, Viscous
 from rimroll.motion import Array, Motion, simulate
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
 from rimroll.paper.figures.turn_against_friction import STARTS, Start, measured_step
-from rimroll.theory import arrival, disk_turn_limit, turn_limit
+from rimroll.theory.closed_forms import arrival, disk_turn_limit, turn_limit
 
 RADIUS = setting.CAN.radius
 

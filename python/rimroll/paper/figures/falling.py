@@ -15,7 +15,7 @@ from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing
 from rimroll.paper.setting import MEASURED
 from rimroll.state import State
-from rimroll.theory import turn_limit
+from rimroll.theory.closed_forms import turn_limit
 
 FLICKED = State(tilt=np.radians(20.0), tilt_rate=-4.5, yaw_rate=0.02, spin_rate=0.02)
 """The can tipped by 20° and flicked upright, hard enough to fall over on the other side."""

@@ -11,8 +11,8 @@ import numpy as np
 from rimroll.experiment.histogram import falls_figure
 from rimroll.experiment.release import Release
 from rimroll.experiment.toppling import FALLING, counted, let_go
-from rimroll.falls import Falls
 from rimroll.laws import Coulomb
+from rimroll.many.falls import Falls
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
 from rimroll.paper.setting import MEASURED

@@ -12,7 +12,7 @@ from rimroll.laws import NoSlip
 from rimroll.motion import Array, Motion, Turn
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing
-from rimroll.theory import needed_friction, turn_limit
+from rimroll.theory.closed_forms import needed_friction, turn_limit
 
 SHOWN = (0.05, 0.005, 5e-4, 5e-5, 5e-6)
 """Sideways rates ε (rad/s) whose near-collisions are drawn; the second is the paper's."""

@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from rimroll import bodies, solids
-from rimroll.body import Body
+from rimroll import bodies
+from rimroll.bodies import solids
+from rimroll.bodies.body import Body
 from rimroll.figures import style
 from rimroll.laws import Frictionless, NoSlip
 from rimroll.motion import Array
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
-from rimroll.theory import disk_turn_limit, turn_limit
+from rimroll.theory.closed_forms import disk_turn_limit, turn_limit
 
 HEIGHTS = np.concatenate([[1e-9], np.linspace(0.02, 1.0, 50), np.linspace(1.05, 4.2, 64)])
 """H/R at which the curves are drawn."""

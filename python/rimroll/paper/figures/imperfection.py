@@ -11,13 +11,13 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from rimroll.figures import style
-from rimroll.imperfection import ImperfectRim, imperfect_rim
 from rimroll.laws import Frictionless, Law, NoSlip
 from rimroll.motion import Array
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
 from rimroll.paper.setting import MEASURED
-from rimroll.theory import lift_off_rate
+from rimroll.theory.closed_forms import lift_off_rate
+from rimroll.theory.imperfection import ImperfectRim, imperfect_rim
 
 TRIALS = 42
 """Falls in the paper's histogram."""

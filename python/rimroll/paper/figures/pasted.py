@@ -7,13 +7,13 @@ from functools import cache
 import numpy as np
 from matplotlib.axes import Axes
 
-from rimroll.approximations import Composite, composite
 from rimroll.figures import style
 from rimroll.laws import Law, NoSlip
 from rimroll.motion import Array
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing
-from rimroll.theory import error_law_coefficient
+from rimroll.theory.approximations import Composite, composite
+from rimroll.theory.closed_forms import error_law_coefficient
 
 SHOWN = {0.1: (style.SERIES[1], 4.6), 0.005: (style.NO_SLIP, 2.2)}
 """ψ̇ = θ̇ = ε at the release, rad/s: one that shows a difference, and the paper's own."""

@@ -9,19 +9,19 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from rimroll.falls import Column, Falls
 from rimroll.figures import style
 from rimroll.figures.style import superscript
 from rimroll.laws import Coulomb, Frictionless, Law, NoSlip
-from rimroll.left_or_right import map_falls, watershed, watershed_slope
-from rimroll.many_falls import OPTIONS, follow
-from rimroll.map_plot import SPIN, YAW, directions, draw_map, scale_of_directions
+from rimroll.many.ensemble import OPTIONS, follow
+from rimroll.many.falls import Column, Falls
+from rimroll.many.left_or_right import map_falls, watershed, watershed_slope
+from rimroll.many.map_figure import SPIN, YAW, directions, draw_map, scale_of_directions
 from rimroll.motion import Array
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
 from rimroll.paper.setting import MEASURED
 from rimroll.state import State
-from rimroll.theory import turn_limit
+from rimroll.theory.closed_forms import turn_limit
 
 FRICTION = 0.15
 """With this friction the flicked can's near-collision turns by about the measured 213.0 degrees."""

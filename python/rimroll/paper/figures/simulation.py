@@ -10,7 +10,7 @@ from rimroll.motion import Motion
 from rimroll.motion.figure import nine_panels
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing
-from rimroll.theory import needed_friction, turn_limit
+from rimroll.theory.closed_forms import needed_friction, turn_limit
 
 
 def draw() -> Drawing:

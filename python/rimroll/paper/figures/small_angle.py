@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 
-from rimroll.approximations import NearCollision
 from rimroll.figures import style
 from rimroll.laws import Law
 from rimroll.motion import Array
 from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing
-from rimroll.theory import turn_limit
+from rimroll.theory.approximations import NearCollision
+from rimroll.theory.closed_forms import turn_limit
 
 PAPER = 0.005
 SIDEWAYS = {0.1: ":", PAPER: "-", 1e-4: (0, (4, 1.5))}

@@ -23,7 +23,7 @@ from rimroll.paper import setting
 from rimroll.paper.drawing import Drawing, Table
 from rimroll.paper.setting import MEASURED
 from rimroll.state import State
-from rimroll.theory import Arrival, arrival, needed_friction, passage, turn_limit
+from rimroll.theory.closed_forms import Arrival, arrival, needed_friction, passage, turn_limit
 
 NEEDED = needed_friction(setting.CAN)
 """μ*, the smallest friction with which the can rolls through."""

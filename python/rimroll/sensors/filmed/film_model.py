@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.errors import RimrollError
 from rimroll.laws import Law
 from rimroll.motion import Moments, Motion, simulate

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
-from rimroll.table import Source, Table, source_name, table_of, text_of
-from rimroll.titles import columns_given, expect_step
+from rimroll.files.table import Source, Table, source_name, table_of, text_of
+from rimroll.files.titles import columns_given, expect_step
 from rimroll.units import factor_of
 
 Array = NDArray[np.float64]

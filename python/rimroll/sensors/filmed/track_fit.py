@@ -11,9 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body, one_body
+from rimroll.bodies.body import Body, one_body
 from rimroll.errors import RimrollError, callback, expect
-from rimroll.given import Number, number, positive
 from rimroll.laws import Coulomb, Law, one_law
 from rimroll.motion import Motion, simulate
 from rimroll.sensors.filmed.film_model import FilmModel, Marker, plane_of
@@ -33,7 +32,8 @@ from rimroll.sensors.fits import (
     with_numbers,
 )
 from rimroll.state import State
-from rimroll.theory import balance_tilt, needed_friction
+from rimroll.theory.closed_forms import balance_tilt, needed_friction
+from rimroll.units import Number, number, positive
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll._core import __version__
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.sensors.gyro.collision import Collision
 from rimroll.sensors.gyro.friction import Friction, Predicted
 from rimroll.sensors.gyro.passages import Axis, across

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.sensors.gyro.passages import TIME_ERROR, Axis, Leg, Sensed
 
 Array = NDArray[np.float64]

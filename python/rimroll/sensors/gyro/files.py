@@ -14,11 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, UnitError
-from rimroll.given import Number, number
+from rimroll.files.table import MOST_BYTES, Source, Table, UnevenRow, source_name, table_of, text_of
+from rimroll.files.titles import Title, columns_given, seconds_of, time_column, titles_of
 from rimroll.sensors.gyro.record import SIMULATED, Record, with_even_notes
-from rimroll.table import MOST_BYTES, Source, Table, UnevenRow, source_name, table_of, text_of
-from rimroll.titles import Title, columns_given, seconds_of, time_column, titles_of
-from rimroll.units import factor_of
+from rimroll.units import Number, factor_of, number
 
 _GYRO = re.compile(
     r"gyr|angular (velocity|rate|speed)|angvel|rotation ?rate|drehrate|winkelgeschwindigkeit"

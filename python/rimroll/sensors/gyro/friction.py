@@ -9,14 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.laws import Coulomb
-from rimroll.many_falls import follow
+from rimroll.many.ensemble import follow
 from rimroll.options import Options
 from rimroll.sensors.fits import BEYOND
 from rimroll.sensors.gyro.collision import Collision
 from rimroll.state import State
-from rimroll.theory import needed_friction
+from rimroll.theory.closed_forms import needed_friction
 
 Array = NDArray[np.float64]
 

@@ -10,9 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.errors import RimrollError
-from rimroll.given import Number, number, whole_number
 from rimroll.laws import Coulomb, Frictionless, Law, NoSlip, one_law
 from rimroll.sensors.fits import (
     BODY,
@@ -41,7 +40,8 @@ from rimroll.sensors.gyro.passages import EXPECTED, SCALE_ERROR, across
 from rimroll.sensors.gyro.reading import analyze
 from rimroll.sensors.gyro.record import Record
 from rimroll.state import State
-from rimroll.theory import needed_friction
+from rimroll.theory.closed_forms import needed_friction
+from rimroll.units import Number, number, whole_number
 
 
 def notes_of(

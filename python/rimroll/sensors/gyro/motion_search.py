@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError
 from rimroll.laws import Frictionless, NoSlip
-from rimroll.left_or_right import watershed_slope
+from rimroll.many.left_or_right import watershed_slope
 from rimroll.sensors.fits import ROUNDS, START, Minimum, at_friction, highest_friction, least
 from rimroll.sensors.gyro.analysis import Analysis
 from rimroll.sensors.gyro.collision import Collision

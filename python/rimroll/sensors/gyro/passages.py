@@ -24,7 +24,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 from rimroll.sensors.gyro.peaks import GUARD, Filter, Passage
 
 Array = NDArray[np.float64]

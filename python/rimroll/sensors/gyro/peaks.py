@@ -15,7 +15,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from rimroll.body import Body
+from rimroll.bodies.body import Body
 
 Array = NDArray[np.float64]
 

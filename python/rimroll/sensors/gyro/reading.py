@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.body import Body, one_body
+from rimroll.bodies.body import Body, one_body
 from rimroll.errors import RimrollError, expect
-from rimroll.given import Number, number, positive
 from rimroll.sensors.fits import chi_square
 from rimroll.sensors.gyro.analysis import Analysis
 from rimroll.sensors.gyro.collision import LEAST_TILT, Collision, collision_of, is_driven, is_near
@@ -19,7 +18,8 @@ from rimroll.sensors.gyro.friction import friction_from, predicted
 from rimroll.sensors.gyro.passages import Axis, Sensed, fitted_axis
 from rimroll.sensors.gyro.peaks import Falls, Filter, Passage, falls_of, filter_of
 from rimroll.sensors.gyro.record import GAP, Record, Rests, cut_off, rests_of, smallest_step
-from rimroll.theory import balance_tilt, needed_friction
+from rimroll.theory.closed_forms import balance_tilt, needed_friction
+from rimroll.units import Number, number, positive
 
 Array = NDArray[np.float64]
 
@@ -383,7 +383,7 @@ def _best(
 
 def _limits(body: Body) -> tuple[float, float]:
     from rimroll.laws import Frictionless, NoSlip
-    from rimroll.theory import turn_limit
+    from rimroll.theory.closed_forms import turn_limit
 
     return float(turn_limit(body, NoSlip())), float(turn_limit(body, Frictionless()))
 

@@ -12,9 +12,9 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, hold
-from rimroll.given import Values, numbers
-from rimroll.output import writing
-from rimroll.titles import expect_step
+from rimroll.files.output import writing
+from rimroll.files.titles import expect_step
+from rimroll.units import Values, numbers
 
 TITLES = (
     "Time (s)",

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, expect
-from rimroll.given import Number, number, positive, random_seed
 from rimroll.sensors.gyro.record import Record
+from rimroll.units import Number, number, positive, random_seed
 
 if TYPE_CHECKING:
     from rimroll.motion import Motion

@@ -1,0 +1,1 @@
+"""Tables of text, files that appear when they are complete, and what datasets record."""

@@ -1,0 +1,1 @@
+"""Many falls at once, and maps of them."""

@@ -1,0 +1,1 @@
+"""The theory in numbers: closed forms, approximations, exact turns, steady motions, decay."""
