@@ -11,18 +11,18 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from numpy.typing import NDArray
 
 from rimroll.figures import style
 
 if TYPE_CHECKING:
     from rimroll.many.falls import Falls
-    from rimroll.shaking.lognormal import Counts, Fragility
-    from rimroll.shaking.maxima import Maxima
-    from rimroll.shaking.overturning import OverturningSpectrum
-    from rimroll.shaking.rocking import RockingSpectrum
+    from rimroll.shaking.curve import Array, Counts, LognormalCurve
 
 OVERTURNED = "#F3D9C9"
 """The background of what overturns."""
+
+Marks = NDArray[np.bool_]
 
 UNDECIDED = "#DDDDDD"
 """The background of motions that end before they are decided."""
@@ -36,16 +36,15 @@ def _panel() -> tuple[Figure, Axes]:
     return figure, figure.add_subplot()
 
 
-def rocking_figure(spectrum: RockingSpectrum) -> Figure:
-    """The largest tilt over the balance tilt against 2π/p."""
-    period, handles = spectrum.period, []
-    shades = (
-        (spectrum.overturned, OVERTURNED, "overturns"),
-        (spectrum.undecided, UNDECIDED, "not determined"),
-    )
+def rocking_figure(
+    period: Array, max_tilt_ratio: Array, overturned: Marks, undecided: Marks
+) -> Figure:
+    """The largest tilt over the balance tilt against 2π/p (s), all of shape (n,)."""
+    handles = []
+    shades = ((overturned, OVERTURNED, "overturns"), (undecided, UNDECIDED, "not determined"))
     with style.figure_style():
         figure, ax = _panel()
-        ax.plot(period, spectrum.max_tilt_ratio, ".-", color=style.SERIES[0], ms=3.0)
+        ax.plot(period, max_tilt_ratio, ".-", color=style.SERIES[0], ms=3.0)
         for which, color, words in shades:
             for begin, end in _intervals(period, which):
                 ax.axvspan(begin, end, color=color, lw=0.0)
@@ -68,20 +67,25 @@ def _intervals(x: np.ndarray, inside: np.ndarray) -> list[tuple[float, float]]:
     return [(float(edges[a]), float(edges[b])) for a, b in changes.reshape(-1, 2)]
 
 
-def overturning_figure(spectrum: OverturningSpectrum) -> Figure:
-    """The least amplitude that overturns against the frequency, over what was tried."""
-    order = np.argsort(spectrum.frequency_ratio)
-    ratio = spectrum.frequency_ratio[order]
+def overturning_figure(
+    frequency_ratio: Array, tried: Array, overturned: Marks, undecided: Marks, least: Array
+) -> Figure:
+    """The least amplitude (n,) that overturns against the frequency (n,), over what was tried.
+
+    ``overturned`` and ``undecided`` (n, m) are for each frequency and each amplitude tried (m,).
+    """
+    order = np.argsort(frequency_ratio)
+    ratio = frequency_ratio[order]
     with style.figure_style():
         figure, ax = _panel()
         handles = [Patch(color=OVERTURNED, label="overturns")]
-        if spectrum.undecided.any():
+        if undecided.any():
             handles.append(Patch(color=UNDECIDED, label="not determined"))
         if len(ratio) > 1:
             ax.pcolormesh(
                 ratio,
-                spectrum.tried,
-                (spectrum.overturned + 2.0 * spectrum.undecided)[order].T,
+                tried,
+                (overturned + 2.0 * undecided)[order].T,
                 cmap=ListedColormap(["white", OVERTURNED, UNDECIDED]),
                 vmin=0.0,
                 vmax=2.0,
@@ -90,7 +94,7 @@ def overturning_figure(spectrum: OverturningSpectrum) -> Figure:
             )
         (line,) = ax.plot(
             ratio,
-            spectrum.amplitude_ratio[order],
+            least[order],
             ".-",
             color=style.SERIES[0],
             ms=3.0,
@@ -99,7 +103,7 @@ def overturning_figure(spectrum: OverturningSpectrum) -> Figure:
         uplift = ax.axhline(1.0, color=style.CONTRAST, ls="--", lw=0.8, label="uplift")
         ax.set_yscale("log")
         ax.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
-        ax.set_ylim(min(0.9, spectrum.tried.min()), spectrum.tried.max())
+        ax.set_ylim(min(0.9, tried.min()), tried.max())
         ax.set_xlim(ratio.min(), ratio.max())
         style.label(ax, "", "overturning spectrum", "$ω_p/p$", r"$a_p/(g\,\tan\,α)$")
         ax.legend(
@@ -112,7 +116,7 @@ def overturning_figure(spectrum: OverturningSpectrum) -> Figure:
     return figure
 
 
-LimitState = tuple["Counts", "Fragility | None", float | None]
+LimitState = tuple["Counts", "LognormalCurve | None", float | None]
 """The data of a limit state, its curve, and its largest tilt over the balance tilt, or None."""
 
 FRACTILES = (0.16, 0.5, 0.84)
@@ -123,12 +127,12 @@ TOPPLED = 1.3
 
 
 def fragility_figure(
-    counts: Counts, curve: Fragility | None, label: str, limit: float | None = None
+    counts: Counts, curve: LognormalCurve | None, label: str, limit: float | None = None
 ) -> Figure:
     """The fractions that overturned or reached a limit, and the curve with its median's interval.
 
-    A curve of motions that share records also has the band of :meth:`Fragility.band`. The unit of
-    θ is what the label has in parentheses at its end.
+    A curve of motions that share records also has the band of :meth:`rimroll.Fragility.band`. The
+    unit of θ is what the label has in parentheses at its end.
 
     Trials of the same intensity are one point. Without a curve there are only the points.
     """
@@ -201,7 +205,7 @@ def _short(limit: float | None) -> str:
     return "overturning" if limit is None else f"≥ {limit:g}"
 
 
-def _draw_intervals(ax: Axes, curve: Fragility, x: np.ndarray) -> None:
+def _draw_intervals(ax: Axes, curve: LognormalCurve, x: np.ndarray) -> None:
     """The band of a curve, and the interval of its median with the number of records."""
     if curve.without is not None:
         ax.fill_between(x, *curve.band(x), color=style.SERIES[0], alpha=0.15, lw=0.0)
@@ -262,29 +266,31 @@ def _motions(counts: Counts) -> str:
     return f"{words}; {left_out:.0f} others undecided" if left_out else words
 
 
-def _parameters(curve: Fragility, unit: str) -> str:
+def _parameters(curve: LognormalCurve, unit: str) -> str:
     return f"θ = {curve.median:.3g} {unit}".rstrip() + f", β = {curve.dispersion:.2g}"
 
 
-def maxima_figure(maxima: Maxima, other: Maxima | None) -> Figure:
-    """Empirical distributions of the largest tilt."""
+def maxima_figure(sample: Array, other: Array | None = None, distance: str = "") -> Figure:
+    """Empirical distributions of the largest tilt over the balance tilt, of one or two samples.
+
+    ``distance`` is the title where there are two.
+    """
     with style.figure_style():
         figure, ax = _panel()
-        samples = [(maxima, style.SERIES[0], "-")]
+        samples = [(sample, style.SERIES[0], "-")]
         if other is not None:
             samples.append((other, style.SERIES[1], "--"))
-        finite = [sample.values[np.isfinite(sample.values)] for sample, *_ in samples]
+        finite = [values[np.isfinite(values)] for values, *_ in samples]
         right = 1.1 * max((float(values.max()) for values in finite if values.size), default=1.0)
-        for values, (sample, color, dashes) in zip(finite, samples, strict=True):
+        for values, (every, color, dashes) in zip(finite, samples, strict=True):
             x = np.concatenate([[0.0], values, [right]])
-            fractions = np.minimum(np.arange(len(x)), len(values)) / len(sample.values)
+            fractions = np.minimum(np.arange(len(x)), len(values)) / len(every)
             ax.step(x, fractions, where="post", color=color, ls=dashes)
         ax.set_ylim(0.0, 1.03)
         ax.set_xlim(0.0, right)
         title = "largest tilt"
         if other is not None:
-            distance = maxima.distance(other)
-            title = f"distance {distance.statistic:.3g} ($p$ = {distance.pvalue:.2g})"
+            title = distance
             names = [Line2D([], [], color=c, ls=d) for _, c, d in samples]
             ax.legend(names, ["this sample", "the other"], loc="upper left")
         style.label(ax, "", title, "largest tilt / balance tilt", "fraction of the bodies")

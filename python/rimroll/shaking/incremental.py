@@ -19,7 +19,8 @@ from rimroll.ground.ground import Ground
 from rimroll.laws import Law
 from rimroll.many.falls import Column, Falls
 from rimroll.options import Options
-from rimroll.shaking.lognormal import Counts, reached
+from rimroll.shaking.curve import Counts
+from rimroll.shaking.lognormal import reached
 from rimroll.shaking.many import follow_shaken
 from rimroll.shaking.scales import rocking_frequency, tangent
 from rimroll.state import State

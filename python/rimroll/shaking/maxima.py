@@ -106,7 +106,11 @@ class Maxima:
         """The empirical distribution, and that of another sample with the distance of the two."""
         from rimroll.shaking.figures import maxima_figure
 
-        return maxima_figure(self, other)
+        if other is None:
+            return maxima_figure(self.values)
+        apart = self.distance(other)
+        title = f"distance {apart.statistic:.3g} ($p$ = {apart.pvalue:.2g})"
+        return maxima_figure(self.values, other.values, title)
 
 
 def imperfect_starts(

@@ -194,7 +194,9 @@ class OverturningSpectrum:
         """The least amplitude against the frequency, over the amplitudes that were tried."""
         from rimroll.shaking.figures import overturning_figure
 
-        return overturning_figure(self)
+        return overturning_figure(
+            self.frequency_ratio, self.tried, self.overturned, self.undecided, self.amplitude_ratio
+        )
 
 
 @takes_options(SHAKING)

@@ -69,7 +69,7 @@ class RockingSpectrum:
         """
         from rimroll.shaking.figures import rocking_figure
 
-        return rocking_figure(self)
+        return rocking_figure(self.period, self.max_tilt_ratio, self.overturned, self.undecided)
 
 
 @takes_options(SHAKING)
