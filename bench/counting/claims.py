@@ -114,6 +114,13 @@ class Known:
         ]
         return cls(motion, t, spread, all(same) and float(spread[-1]) < CLOSE)
 
+    def apart(self, other: rr.Motion, **copy: float) -> Array:
+        """The distance of a motion that may be a copy, infinite after its end."""
+        reached = copy.get("slower", 1.0) * self.t <= other.t[-1]
+        apart = np.full(len(self.t), math.inf)
+        apart[reached] = distance(self.motion, other, self.t[reached], **copy)
+        return apart
+
     def finding(
         self,
         claim: str,
@@ -124,9 +131,7 @@ class Known:
     ) -> Finding:
         """Whether another motion is a copy of this one, ``times`` as far away as neighbours."""
         allowed = close + 1e3 * times * self.spread
-        reached = copy.get("slower", 1.0) * self.t <= other.t[-1]
-        apart = np.full(len(self.t), math.inf)
-        apart[reached] = distance(self.motion, other, self.t[reached], **copy)
+        apart = self.apart(other, **copy)
         wrong = (apart > allowed) & (allowed < UNDETERMINED)
         both = f"{self.motion.status} and {other.status}"
         if wrong.any():
@@ -190,17 +195,41 @@ def copies(shaken: Shaken, known: Known, rng: np.random.Generator) -> Iterator[F
 
 
 def vanishing(shaken: Shaken, known: Known, rng: np.random.Generator) -> Iterator[Finding]:
-    """As a resistance vanishes, the motion becomes that without it."""
+    """As a resistance vanishes, the motion becomes that without it.
+
+    Its effect is about as large as that of another change of the same size, except where a body
+    begins to rock. There a resistance keeps its heading as long as it is larger than the inertial
+    forces, which grow with the tilt: for a time like a root of the resistance. So the effect of a
+    tenth of the resistance must be smaller, and that of a larger one not out of proportion.
+    """
     if shaken.law.resistances or shaken.law.name == "in_place":
         return
     kind = str(rng.choice(RESISTANCES))
     energy = shaken.body.mass * shaken.gravity * shaken.body.radius
-    for size in SIZES:
+    rocks_anew = any(event.kind == "uplift" for event in known.motion.events)
+
+    def resisted(size: float) -> rr.Motion:
         law = shaken.law + resistance(kind, size, shaken.body, shaken.gravity)
-        other = replace(shaken, law=law).motion()
+        return replace(shaken, law=law).motion()
+
+    below: tuple[float, Array] | None = None
+    for size in SIZES:
+        other = resisted(size)
         lost = float(other.resistance_loss[-1]) / energy
         times = max(1.0, (size + lost) / PROBE)
         found = known.finding(f"{kind} resistance vanishes", other, times)
+        same_end = other.status == known.motion.status
+        if found.what and not found.why and rocks_anew and same_end:
+            apart = known.apart(other)
+            if below is None:
+                smaller = known.apart(resisted(0.1 * size))
+                is_regular = apart > 1.2 * smaller
+            else:
+                is_regular = apart < 10.0 * size / below[0] * (below[1] + CLOSE)
+            matters = np.isfinite(apart) & (apart > CLOSE + 1e3 * known.spread)
+            if is_regular[matters & (known.spread < UNDETERMINED)].all():
+                found = replace(found, why="it delays how a body turns that begins to rock")
+                below = size, apart
         yield replace(found, what=found.what and f"at {size:g} {found.what}")
 
 

@@ -3,6 +3,7 @@
 
 use core::ops::ControlFlow;
 use rimroll::ground::{Ground, Pulse, Shape};
+use rimroll::law::{PivotingFriction, Resistance, RollingResistance, Viscous};
 use rimroll::motion::{
     FlatLanding, SHAKEN_PARAMETERS, ShakenSensitivity, ShakenSlope, Side, shaken,
 };
@@ -366,6 +367,57 @@ fn a_body_that_is_lifted_has_derivatives() {
                 case.name,
                 found[i]
             );
+        }
+    }
+}
+
+/// A body that is shaken along a line rocks in a plane. There the coordinates across the plane are exactly zero, so that they
+/// do not limit the steps; their derivatives are zero, too, however fast a deviation would decay or oscillate.
+#[test]
+fn derivatives_stay_in_the_plane_of_a_motion() {
+    let ground = || Ground::pulses(vec![sine([4.0, 0.0, 0.0], 1.2, 1.0)]).unwrap();
+    let strong = FrictionLaw::from(Viscous { coefficient: 1e7 });
+    let resistance = |pivoting: f64, rolling: f64| Resistance {
+        pivoting: PivotingFriction { length: pivoting },
+        rolling: RollingResistance {
+            dry: 0.0,
+            viscous: rolling,
+        },
+        ..Resistance::default()
+    };
+    let laws = [
+        (FrictionLaw::NoSlip, Resistance::default()),
+        (FrictionLaw::NoSlip, resistance(1e-4, 0.0)),
+        (FrictionLaw::coulomb(0.7), resistance(0.0, 10.0)),
+        (strong.clone(), Resistance::default()),
+        (strong, resistance(1e-4, 0.0)),
+    ];
+    for (friction, resistance) in laws {
+        for yaw in [0.0, -0.37] {
+            let mut case = Case::new("plane", friction.clone(), ground(), STANDING, &column());
+            case.law.resistance = resistance;
+            case.numbers[2] = yaw;
+            let motion = case.motion(&case.numbers);
+            assert!(kinds(&motion).contains(&"uplift"));
+            let found = derivatives(&motion);
+            for t in [0.3, 0.4, 0.5] {
+                let [tilt, _, yaw, _, spin, _] = found.at(&motion, t);
+                for (i, name) in SHAKEN_PARAMETERS.iter().enumerate().skip(6) {
+                    let size = size_of(i, &case.numbers);
+                    let heading = size * (yaw[i].abs() + spin[i].abs());
+                    assert!(
+                        heading < 1e-7,
+                        "{:?} by {name} at {t} s: {heading}",
+                        case.law
+                    );
+                    assert!(
+                        (size * tilt[i]).abs() < 10.0,
+                        "{:?} by {name}: {}",
+                        case.law,
+                        tilt[i]
+                    );
+                }
+            }
         }
     }
 }

@@ -207,6 +207,11 @@ impl Contacts {
         }
     }
 
+    /// The tolerance of a step.
+    pub(super) fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
     /// Whether the friction is dry.
     pub(super) fn is_dry(&self) -> bool {
         self.dry().is_some()
@@ -478,7 +483,7 @@ impl Contacts {
     /// the horizontal velocity stays the same.
     pub(super) fn landed_level(&self, u: &Coordinates<f64>) -> Coordinates<f64> {
         // A geometric sequence of rebounds needs an end: slower rebounds are ignored.
-        const SLOW: f64 = 1e-6;
+        const SLOW: f64 = 1e-9;
         let k = &self.parameters;
         let rebound = -self.contact_law.restitution * u.gap_rate;
         let is_slow = rebound < SLOW * (k.g * k.r).sqrt();

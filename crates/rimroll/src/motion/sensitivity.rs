@@ -11,7 +11,8 @@
 //! The step sizes are held constant, so the derivative is that of a solution of order 8.
 //!
 //! Where one ideal law holds for the whole motion, that is all. Other motions consist of phases that are joined by events,
-//! and some of their steps are implicit: `saltation` and `collocated` continue the derivatives over these.
+//! and some of their steps are implicit: `saltation` and `collocated` continue the derivatives over these. Their derivatives
+//! have errors of their own, so that a step is repeated in parts where it does not suit them: see `variation`.
 
 mod collocated;
 mod on_moving_table;

@@ -158,6 +158,12 @@ impl<T: Real, const N: usize> Step<T, N> {
         &self.stages[12]
     }
 
+    /// The errors of all components, as the formulas of orders 5 and 3 estimate them.
+    pub fn errors(&self) -> [[T; N]; 2] {
+        let with = ScalarSums { ignorable: 0 };
+        [ERROR_5, ERROR_3].map(|row| weighted_sum(with, row, &self.stages).map(|v| self.h * v))
+    }
+
     /// The error estimate, with the larger of the error scales at both ends. The scales at the end are those
     /// at the twelfth stage, so that they are available before the last rates.
     #[inline(always)]

@@ -65,20 +65,32 @@ pub(super) fn last_fall(contacts: &Contacts, at: &Instant) -> Dense<f64, COORDIN
         ..u
     };
     let free = contacts.without_resistance();
-    let rates = free.dynamics(at.phase).rates(&u);
-    let (drop, acceleration) = (u.sin - flat, rates.p / u.sin);
-    let square = u.p * u.p - 2.0 * acceleration * drop;
-    let (p, time) = if square > 0.0 {
-        let p = -square.sqrt();
-        (p, -2.0 * drop / (u.p + p))
-    } else {
-        (0.0, -u.p / acceleration)
+    let rates = |u: &Coordinates<f64>| free.dynamics(at.phase).rates(u);
+    let at_start = rates(&u);
+    let (drop, acceleration) = (u.sin - flat, at_start.p / u.sin);
+    let rate_after = |acceleration: f64| {
+        let square = u.p * u.p - 2.0 * acceleration * drop;
+        -square.max(0.0).sqrt()
     };
+    let p = rate_after(acceleration);
+    let time = if p < 0.0 {
+        -2.0 * drop / (u.p + p)
+    } else {
+        -u.p / acceleration
+    };
+    // The rates half-way, by which the energy changes by the work of the table.
+    let half_way = Coordinates {
+        p: 0.5 * (u.p + p),
+        sin: 0.5 * (u.sin + flat),
+        cos: 1.0,
+        ..u.plus(0.5 * time / u.sin, &at_start)
+    };
+    let mean = rates(&half_way);
     let end = Coordinates {
         sin: flat,
         cos: 1.0,
-        p,
-        ..u.plus(time / u.sin, &rates)
+        p: rate_after(mean.p / half_way.sin),
+        ..u.plus(time / half_way.sin, &mean)
     };
     let end = on_face_of(at, &contacts.without_running(at.phase, &end));
     Dense::line(time, at.u.into_array(), end.into_array())

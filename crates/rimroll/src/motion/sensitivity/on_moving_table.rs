@@ -1,7 +1,9 @@
 //! The derivatives of a motion on a table that moves.
 
 use super::saltation::{Saltation, flat_function, refused, tilt_from};
-use super::shaken_slope::{Number, SHAKEN_PARAMETERS, ShakenSlope, all_or_none, without};
+use super::shaken_slope::{
+    Number, SHAKEN_PARAMETERS, ShakenSlope, all_or_none, without, without_rounding_across,
+};
 use super::variation::{Variation, ends_at_corner, rates};
 use super::{
     CoordinatesAndRates, PARAMETERS, STEPS_BETWEEN_REPORTS, parameter, start, state_slopes,
@@ -121,10 +123,13 @@ impl ShakenSensitivity {
         self.starts.push(start);
         let end = self.variation.followed(contacts, record, &start, 1.0);
         let end = with_values(&end, &record.end);
+        let end = without_rounding_across(contacts.parameters(), &end);
         // Where a body has just begun to rock, the derivatives at a fixed τ are those at a fixed time plus 1e8 times the
         // rates and more, so that errors of steps would be amplified as much. Elsewhere it is those at a fixed time that
         // may be large: no time passes with τ where a slip stops.
-        self.end = if self.uplift_time.is_some() || ends_at_corner(contacts, record) {
+        // A step without length changes nothing: what comes next may depend on the event before it.
+        let at_fixed_time = self.uplift_time.is_some() || ends_at_corner(contacts, record);
+        self.end = if at_fixed_time && record.h != 0.0 {
             self.with_rates(motion, record, end).at_fixed_time()
         } else {
             end

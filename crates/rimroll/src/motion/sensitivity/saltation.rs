@@ -19,7 +19,7 @@
 //! * Where the base comes down flat at once, a parameter that takes the motion out of its plane has no
 //!   derivative: beside the plane, the contact point runs round the rim instead.
 
-use super::shaken_slope::{Number, SHAKEN_PARAMETERS, ShakenSlope, without};
+use super::shaken_slope::{Number, SHAKEN_PARAMETERS, sizes_of_parameters, without};
 use super::variation::Variation;
 use super::{values, with_values};
 use crate::error::InvalidInput;
@@ -34,7 +34,8 @@ use crate::motion::flat_landing::{
 use crate::motion::instant::Phase;
 use crate::motion::level_base::{FLAT_TILT, LevelMotion, UPLIFT_TILT, levelled};
 use crate::motion::step_record::StepRecord;
-use crate::real::{Real, Scalar};
+use crate::real::{Dual, Real, Scalar};
+use crate::slip_onset::along_and_across;
 use crate::state::{COORDINATES, Coordinates, TIME};
 use crate::turn::inertias_of;
 use core::f64::consts::PI;
@@ -126,30 +127,61 @@ impl Saltation<'_> {
     }
 
     /// A dry slip has stopped. The last step ends a little earlier, from where the slip decelerates in a straight line.
+    ///
+    /// A deviation across that line turns the friction until the slip has stopped along the line and across it, too. So the
+    /// time until then and the angle, integrated over it, follow from both components, however the deviation decays.
     fn stopped_slipping(&self, u: &Coordinates<Number>) -> Coordinates<Number> {
         // The part of 1/rate in which the slip has to stop; it stops in far less unless its deceleration is zero, too.
         const BRIEF: f64 = 1e-3;
         let contacts = &self.motion.contacts;
-        let phases = self.variation.phases(contacts, self.before.start[TIME]);
+        let t = self.before.start[TIME];
+        let phases = self.variation.phases(contacts, t);
         let sliding = phases.in_phase(Phase::Sliding);
-        let [x, y] = [u.slip_x, u.slip_y];
-        let until_stop = |rates: &Coordinates<Number>| {
-            -((x * x + y * y) / (rates.slip_x * x + rates.slip_y * y))
+        let [x, y] = [u.slip_x.value, u.slip_y.value];
+        let line = [x, y].map(|component| component / libm::hypot(x, y));
+        let [speed, across] = along_and_across([u.slip_x, u.slip_y], line.map(Number::from));
+        let sliding_at = |u: &Coordinates<Number>, speed: Number| {
+            let [slip_x, slip_y] = line.map(|component| speed * component.into());
+            let u = Coordinates {
+                slip_x,
+                slip_y,
+                ..*u
+            };
+            (u, sliding.rates(&u))
         };
-        let rates = sliding.rates(u);
-        let half = Number::from(0.5) * until_stop(&rates);
-        let rates = sliding.rates(&u.plus(half, &rates));
-        let time = until_stop(&rates);
+        let slips = |rates: &Coordinates<Number>| {
+            along_and_across([rates.slip_x, rates.slip_y], line.map(Number::from))
+        };
+        let (straight, rates) = sliding_at(u, speed);
+        let half = Number::from(-0.5) * speed / slips(&rates)[0];
+        let (half_way, rates) = sliding_at(&straight.plus(half, &rates), Number::from(0.5) * speed);
+        let turning = self.turning_rates(&values(&half_way), t);
+        let ([forward, sideways], [turning_forward, turning_sideways]) =
+            (slips(&rates), slips(&turning));
+        let determinant = forward * turning_sideways - sideways * turning_forward;
+        let time = (across * turning_forward - speed * turning_sideways) / determinant;
+        let angle = (speed * sideways - across * forward) / determinant;
         let stopped = Coordinates {
             slip_x: 0.0.into(),
             slip_y: 0.0.into(),
-            ..u.plus(time, &rates)
+            ..u.plus(time, &rates).plus(angle, &turning)
         };
         let rate = ErrorScale::new(contacts.parameters()).rate(&values(u));
         let is_brief = (0.0..=BRIEF).contains(&(time.value * rate));
         let undefined = [!is_brief; SHAKEN_PARAMETERS.len()];
         let start = &self.after.start;
         with_values(&without(&stopped, undefined), start)
+    }
+
+    /// The derivatives of the rates of a rim that slides by the angle of its slip, in a step that begins at a time, s.
+    fn turning_rates(&self, u: &Coordinates<f64>, t: f64) -> Coordinates<Number> {
+        let phases = self.motion.contacts.dual_phases_from(t);
+        let dual = |value: f64, slope: f64| Dual { value, slope };
+        let mut turned = Coordinates::from_array(&u.into_array().map(Dual::from));
+        turned.slip_x = dual(u.slip_x, -u.slip_y);
+        turned.slip_y = dual(u.slip_y, u.slip_x);
+        let rates = phases.in_phase(Phase::Sliding).rates(&turned);
+        Coordinates::from_array(&rates.into_array().map(|rate| rate.slope.into()))
     }
 
     /// The rim has struck the table.
@@ -378,9 +410,7 @@ impl Saltation<'_> {
         const ROUNDING: f64 = 1e-9;
         let k = self.motion.contacts.parameters();
         let rate = (k.g / k.r).sqrt();
-        let sizes: ShakenSlope = [
-            1.0, rate, 1.0, rate, 1.0, rate, k.m, k.r, k.h, k.a, k.c, k.g, 1.0,
-        ];
+        let sizes = sizes_of_parameters(k);
         // w = ψ̇ sin φ grows like 1/sin φ in a fall, but not w sin φ.
         let sideways = |i: usize| {
             let (w, s) = (u.w.slope.0[i] * u.sin.value, u.s.slope.0[i]);

@@ -1,6 +1,7 @@
 //! The numbers with which motions on a moving table are repeated: duals with a derivative for each parameter.
 
 use super::PARAMETERS;
+use crate::law::Parameters;
 use crate::real::{Dual, Slopes};
 use crate::state::Coordinates;
 
@@ -21,6 +22,14 @@ pub type ShakenSlope = [f64; SHAKEN_PARAMETERS.len()];
 
 pub(super) type Number = Dual<Slopes<{ SHAKEN_PARAMETERS.len() }>>;
 
+/// Changes of the parameters that all matter about as much.
+pub(super) fn sizes_of_parameters(k: &Parameters<f64>) -> ShakenSlope {
+    let (rate, h) = ((k.g / k.r).sqrt(), k.h.max(k.r));
+    [
+        1.0, rate, 1.0, rate, 1.0, rate, k.m, k.r, h, k.a, k.c, k.g, 1.0,
+    ]
+}
+
 /// The coordinates without derivatives (NaN) by those parameters by which some coordinate has none.
 pub(super) fn all_or_none(u: &Coordinates<Number>) -> Coordinates<Number> {
     let all = u.into_array();
@@ -39,4 +48,25 @@ pub(super) fn without(
         }
         dual
     }))
+}
+
+/// The coordinates without the rounding errors of derivatives across the plane of a motion. These would grow about a
+/// thousandfold at every near-collision, as those of the coordinates would.
+pub(super) fn without_rounding_across(
+    k: &Parameters<f64>,
+    u: &Coordinates<Number>,
+) -> Coordinates<Number> {
+    const ROUNDING: f64 = 1e-12;
+    let mut u = *u;
+    if [u.w, u.s, u.slip_y].iter().any(|x| x.value != 0.0) {
+        return u;
+    }
+    let rate = (k.g / k.r).sqrt();
+    for (i, size) in sizes_of_parameters(k).into_iter().enumerate() {
+        let [w, s, slip] = [u.w, u.s, u.slip_y].map(|x| size * x.slope.0[i].abs());
+        if w.max(s).max(slip / k.r) < ROUNDING * rate {
+            (u.w.slope.0[i], u.s.slope.0[i], u.slip_y.slope.0[i]) = (0.0, 0.0, 0.0);
+        }
+    }
+    u
 }

@@ -1,7 +1,7 @@
 //! Phases of a motion, repeated in dual numbers.
 
 use super::collocated::Linearised;
-use super::shaken_slope::Number;
+use super::shaken_slope::{Number, SHAKEN_PARAMETERS, ShakenSlope, sizes_of_parameters};
 use super::{CoordinatesAndRates, values};
 use crate::law::{DynamicsExt, Parameters};
 use crate::motion::contacts::Contacts;
@@ -13,6 +13,9 @@ use crate::motion::step_record::{Polynomial, StepRecord};
 use crate::real::{Dual, Slope as _, Slopes};
 use crate::solve::{Collocation, POINTS, RADAU, Step};
 use crate::state::{COORDINATES, Coordinates, TIME};
+
+/// The number of parameters.
+const PARAMETERS: usize = SHAKEN_PARAMETERS.len();
 
 /// The body and gravity, and the factor on the acceleration of the table, with their derivatives.
 #[derive(Clone, Copy)]
@@ -78,14 +81,47 @@ impl Variation {
                 }
                 Coordinates::from_array(&all)
             }
-            phase => {
-                let phases = self.phases(contacts, t);
-                let phase_system = phases.phase_system(phase, record.variable);
-                let step: Step<Number, COORDINATES> =
-                    Step::take(&phase_system, &start.into_array(), h.into());
-                Coordinates::from_array(&step.end)
+            phase => self
+                .in_parts(contacts, record, start, x)
+                .unwrap_or_else(|| self.collocated(contacts, record, phase, start, x)),
+        }
+    }
+
+    /// [`Self::followed`] for an explicit step: in one step if that suits the derivatives, too, or in smaller ones. `None`
+    /// if there would be very many.
+    ///
+    /// The size of a step keeps the errors of the coordinates small. Those of the derivatives are larger where the rates have
+    /// a kink. They grow without bound where the coordinates stay near an equilibrium for which the step is too long: at a
+    /// straight slip, or in a plane, out of which no rounding error pushes the body.
+    fn in_parts(
+        &self,
+        contacts: &Contacts,
+        record: &StepRecord,
+        start: &Coordinates<Number>,
+        x: f64,
+    ) -> Option<Coordinates<Number>> {
+        const MOST_TRIES: usize = 60;
+        let phases = self.phases(contacts, record.start[TIME]);
+        let phase_system = phases.phase_system(record.phase, record.variable);
+        let accuracy = DerivativeAccuracy::new(contacts);
+        let mut at = start.into_array();
+        // All parts are powers of two, so that their sum is exact.
+        let (mut done, mut part) = (0.0, 1.0);
+        for _ in 0..MOST_TRIES {
+            let h = part * x * record.h;
+            let step: Step<Number, COORDINATES> = Step::take(&phase_system, &at, h.into());
+            if accuracy.suffices(&step) {
+                at = step.end;
+                done += part;
+                if done == 1.0 {
+                    return Some(Coordinates::from_array(&at));
+                }
+                part = (2.0 * part).min(1.0 - done);
+            } else {
+                part *= 0.5;
             }
         }
+        None
     }
 
     /// [`Self::followed`] for a step whose dense output is a polynomial. The derivatives are those at a fixed time.
@@ -125,7 +161,10 @@ impl Variation {
             varied: |u: &Coordinates<Number>| in_time(&varied, u),
             constant: |u: &Coordinates<Number>| in_time(&constant, u),
         };
-        let time_rates = time_rates(contacts, record, &dense);
+        let time_rates = match record.variable {
+            IndependentVariable::Time => [record.h; POINTS],
+            IndependentVariable::Regularized => time_rates(contacts, record, &dense),
+        };
         linearised.followed(&dense, &time_rates, &start, x)
     }
 
@@ -167,6 +206,88 @@ impl Variation {
         let rate = function(&self.constant(), &Coordinates::from_array(&along));
         let g = (function(self, u), rate.slope.0[0]);
         CoordinatesAndRates { u: *u, rates }.fixed(&g)
+    }
+}
+
+/// How accurate derivatives have to be.
+struct DerivativeAccuracy {
+    /// The errors over the largest derivative by the same parameter, which is at least [`Self::LEAST`].
+    tolerance: f64,
+    parameters: ShakenSlope,
+    /// The natural units of the coordinates that matter, or infinity.
+    units: [f64; COORDINATES],
+}
+
+impl DerivativeAccuracy {
+    /// A derivative in natural units that counts as none: that by the mass consists of rounding errors.
+    const LEAST: f64 = 1e-3;
+
+    fn new(contacts: &Contacts) -> Self {
+        let k = contacts.parameters();
+        let rate = (k.g / k.r).sqrt();
+        let units = Coordinates {
+            yaw: 1.0,
+            spin: 1.0,
+            t: 1.0 / rate,
+            sin: 1.0,
+            cos: 1.0,
+            p: rate,
+            w: rate,
+            s: rate,
+            x1: k.r,
+            y1: k.r,
+            slip_x: k.r * rate,
+            slip_y: k.r * rate,
+            gap: k.r,
+            gap_rate: k.r * rate,
+            friction_loss: f64::INFINITY,
+            resistance_loss: f64::INFINITY,
+            impact_loss: f64::INFINITY,
+            ground_work: f64::INFINITY,
+        };
+        DerivativeAccuracy {
+            // Rounding errors of the derivatives at a fixed τ are far larger than those at a fixed time.
+            tolerance: (100.0 * contacts.tolerance()).max(1e-9),
+            parameters: sizes_of_parameters(k),
+            units: units.into_array(),
+        }
+    }
+
+    /// Whether the derivatives by all parameters are accurate in a step.
+    fn suffices(&self, step: &Step<Number, COORDINATES>) -> bool {
+        let [fifth, third] = step.errors().map(|errors| self.sizes(&errors, step));
+        let sizes = [self.sizes(&step.start, step), self.sizes(&step.end, step)];
+        (0..PARAMETERS).all(|i| {
+            let (fifth, third) = (fifth[i], third[i]);
+            let both = libm::hypot(fifth, 0.1 * third).max(f64::MIN_POSITIVE);
+            let size = sizes[0][i].max(sizes[1][i]).max(Self::LEAST);
+            let relative = fifth * fifth / both / size;
+            // It is NaN where there is no derivative.
+            relative.is_nan() || relative <= self.tolerance
+        })
+    }
+
+    /// The largest derivatives by each parameter: at a fixed time where a body that stood has begun to rock, because those at
+    /// a fixed τ are far larger then, and they have other errors.
+    fn sizes(
+        &self,
+        numbers: &[Number; COORDINATES],
+        step: &Step<Number, COORDINATES>,
+    ) -> [f64; PARAMETERS] {
+        const SMALL: f64 = 1e-2;
+        let mut u = Coordinates::from_array(numbers);
+        let start = Coordinates::from_array(&step.start);
+        let begins_at_fixed_time = start.t.slope.0.iter().all(|x| *x == 0.0 || x.is_nan());
+        if begins_at_fixed_time && start.sin.value < SMALL && start.p.value >= 0.0 {
+            let rates = values(&Coordinates::from_array(step.end_rates()));
+            u = CoordinatesAndRates { u, rates }.at_fixed_time();
+        }
+        let all = u.into_array();
+        core::array::from_fn(|i| {
+            let sizes = all.iter().zip(self.units);
+            let sizes = sizes.map(|(x, unit)| (x.slope.0[i] / unit).abs());
+            self.parameters[i] * sizes.fold(0.0, f64::max)
+        })
     }
 }
 
