@@ -20,7 +20,7 @@ ROOT = Path(__file__).parents[1]
 
 def check_the_bits() -> None:
     """The last moment of two motions, bit by bit, is the one that the core's test holds."""
-    held = (ROOT / "crates/rimroll/tests/same_bits.rs").read_text("utf-8")
+    held = (ROOT / "crates/rimroll/tests/integration/same_bits.rs").read_text("utf-8")
     start = rr.State(tilt=0.5, tilt_rate=-0.5, yaw_rate=0.005, spin_rate=0.005)
     for name, law in ("NO_SLIP", rr.NoSlip()), ("FRICTIONLESS", rr.Frictionless()):
         block = re.search(rf"const {name}: \[u64; 7\] = \[(.*?)\]", held, re.S)

@@ -10,7 +10,7 @@ import numpy as np
 
 from .contestants import BUILT, ROOT
 
-SIXTY = ROOT / "crates/rimroll/tests/given/turns_of_the_can.csv"
+SIXTY = ROOT / "crates/rimroll/tests/integration/given/turns_of_the_can.csv"
 STARTS = ROOT / "bench/starts"
 
 

@@ -13,7 +13,7 @@
 //!
 //! This crate computes the whole motion and these limits. It reads no file and no clock and prints nothing.
 //! All quantities are in SI units and radians. It uses only `libm` and operations that IEEE 754 defines to
-//! the last bit, so results are identical on every machine (`tests/same_bits.rs`).
+//! the last bit, so results are identical on every machine (`tests/integration/same_bits.rs`).
 //!
 //! ```
 //! use rimroll::{IdealLaw, Options, State, presets, simulate, turn::turn_limit};

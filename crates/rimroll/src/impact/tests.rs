@@ -1,4 +1,4 @@
-#[path = "../../tests/given/cases.rs"]
+#[path = "../../tests/integration/given/cases.rs"]
 mod cases;
 mod logarithms;
 

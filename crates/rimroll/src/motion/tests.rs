@@ -58,7 +58,7 @@ fn a_drum_slides_on_a_moving_table_as_in_the_reference_motion() {
 
     let [sin, cos] = [libm::sin(state.yaw), libm::cos(state.yaw)];
     let away = contacts.parameters().rho(&start);
-    let table = include_str!("../../tests/given/shaken_motions.csv");
+    let table = include_str!("../../tests/integration/given/shaken_motions.csv");
     let mut lines = table.lines().filter(|line| !line.starts_with('#'));
     let columns: Vec<&str> = lines.next().unwrap().split(',').collect();
     let mut compared = 0;

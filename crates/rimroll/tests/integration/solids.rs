@@ -1,7 +1,6 @@
 //! Bodies composed of solids, against sums over point masses and textbook moments of inertia.
 
-#[path = "given/cases.rs"]
-mod cases;
+use crate::given::cases;
 
 use cases::cases;
 use core::f64::consts::PI;

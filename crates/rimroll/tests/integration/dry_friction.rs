@@ -1,10 +1,8 @@
 //! The effect of the tolerance under dry friction, in an ensemble and in the scalar driver: the error is of
 //! the size of the tolerance, and the cost grows as for a method of order 8.
 
-#[path = "given/bodies.rs"]
-mod bodies;
-#[path = "given/cases.rs"]
-mod cases;
+use crate::given::bodies;
+use crate::given::cases;
 
 use bodies::any_body;
 use cases::cases;

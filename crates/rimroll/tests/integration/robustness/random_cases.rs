@@ -1,6 +1,6 @@
 //! Random bodies on random tables, thrown in any way.
 
-use crate::bodies::{any_body, powers_of_ten, wild_body};
+use crate::given::bodies::{any_body, powers_of_ten, wild_body};
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::ControlFlow;
 use proptest::prelude::*;

@@ -1,8 +1,7 @@
 //! Derivatives of motions, against difference quotients and against identities that follow from dimensional
 //! analysis.
 
-#[path = "given/motions.rs"]
-mod motions;
+use crate::given::motions;
 
 use core::ops::ControlFlow;
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};

@@ -1,7 +1,6 @@
 //! Motions in which something relaxes far faster than the body moves, so that explicit steps must be short.
 
-#[path = "given/motions.rs"]
-mod motions;
+use crate::given::motions;
 
 use motions::{follow, paper_start, tight};
 use rimroll::law::{AirDrag, Resistance, RollingResistance, Stribeck, Viscous};

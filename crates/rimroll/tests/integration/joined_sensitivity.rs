@@ -1,8 +1,7 @@
 //! Derivatives of motions that change between rolling, sliding and flight, against differences of neighbouring motions and
 //! against closed forms.
 
-#[path = "given/cases.rs"]
-mod cases;
+use crate::given::cases;
 
 use cases::cases;
 use core::ops::ControlFlow;

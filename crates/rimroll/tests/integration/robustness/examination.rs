@@ -3,7 +3,7 @@
 //! Energies are relative to that of the start: |kinetic + potential|, or m g R sin φ if that is larger.
 //! Forces are relative to m (g + (R + H) (rates)²), the scale of their terms.
 
-use crate::random_cases::{Case, GRAVITY, falling_rate, follow};
+use super::random_cases::{Case, GRAVITY, falling_rate, follow};
 use core::f64::consts::FRAC_PI_2;
 use rimroll::law::DynamicsExt;
 use rimroll::law::{Coulomb, DryFriction, DryFrictionModel, Stribeck};

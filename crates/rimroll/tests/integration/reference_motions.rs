@@ -1,8 +1,7 @@
 //! Motions of the paper's can that were also computed independently from the printed equations of motion, in
 //! quadruple precision where more than ten digits are needed.
 
-#[path = "given/motions.rs"]
-mod motions;
+use crate::given::motions;
 
 use motions::{PAPER_GRAVITY, follow, paper_start, tight};
 use rimroll::motion::Turn;

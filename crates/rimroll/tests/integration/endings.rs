@@ -1,7 +1,6 @@
 //! The endings and events of motions, and special motions with known solutions.
 
-#[path = "given/motions.rs"]
-mod motions;
+use crate::given::motions;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::ControlFlow;

@@ -1,8 +1,8 @@
 //! A census, run by hand, of any number of motions: how they end, and their largest errors.
 
-use crate::cases::cases;
-use crate::examination::{Found, look};
-use crate::random_cases::{Case, any_case, wild_case};
+use super::examination::{Found, look};
+use super::random_cases::{Case, any_case, wild_case};
+use crate::given::cases::cases;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};

@@ -1,12 +1,9 @@
 //! The closed forms of the angle of turn, of the near-collision and of the forces that it requires, against
 //! the paper's numbers and against simulated motions.
 
-#[path = "given/bodies.rs"]
-mod bodies;
-#[path = "given/cases.rs"]
-mod cases;
-#[path = "given/motions.rs"]
-mod motions;
+use crate::given::bodies;
+use crate::given::cases;
+use crate::given::motions;
 
 use bodies::any_body;
 use cases::cases;

@@ -3,12 +3,9 @@
 //! The tables were computed independently of this code, from the equations of the full model and of the inner
 //! problem; `tests/oracles/inner_problem.py` repeats that computation.
 
-#[path = "given/bodies.rs"]
-mod bodies;
-#[path = "given/cases.rs"]
-mod cases;
-#[path = "given/motions.rs"]
-mod motions;
+use crate::given::bodies;
+use crate::given::cases;
+use crate::given::motions;
 
 use bodies::any_body;
 use cases::cases;

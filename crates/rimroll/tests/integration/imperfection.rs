@@ -1,10 +1,8 @@
 //! A rim with an imperfection: plastic collisions against closed forms, for any body and any position of the
 //! imperfection.
 
-#[path = "given/bodies.rs"]
-mod bodies;
-#[path = "given/cases.rs"]
-mod cases;
+use crate::given::bodies;
+use crate::given::cases;
 
 use bodies::any_body;
 use cases::cases;

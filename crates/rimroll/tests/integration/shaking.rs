@@ -13,10 +13,8 @@ use rimroll::{
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-#[path = "given/bodies.rs"]
-mod bodies;
-#[path = "given/cases.rs"]
-mod cases;
+use crate::given::bodies;
+use crate::given::cases;
 use bodies::{any_body, powers_of_ten};
 use cases::cases;
 

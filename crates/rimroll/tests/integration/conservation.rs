@@ -4,12 +4,9 @@
 //! The tolerances of 1e-12 allow for rounding: each balance is compared with the sum of the magnitudes of its
 //! terms, and the terms themselves are differences.
 
-#[path = "given/bodies.rs"]
-mod bodies;
-#[path = "given/cases.rs"]
-mod cases;
-#[path = "given/motions.rs"]
-mod motions;
+use crate::given::bodies;
+use crate::given::cases;
+use crate::given::motions;
 
 use bodies::{any_body, powers_of_ten};
 use cases::cases;

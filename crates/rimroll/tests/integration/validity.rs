@@ -1,9 +1,7 @@
 //! The numbers that say how far the model holds in a turn.
 
-#[path = "given/bodies.rs"]
-mod bodies;
-#[path = "given/cases.rs"]
-mod cases;
+use crate::given::bodies;
+use crate::given::cases;
 
 use bodies::any_body;
 use cases::cases;

@@ -1,9 +1,7 @@
 //! The beginning and the end of the first turn, in both engines: steps (scalar and in lanes) and quadrature.
 
-#[path = "given/bodies.rs"]
-mod bodies;
-#[path = "given/cases.rs"]
-mod cases;
+use crate::given::bodies;
+use crate::given::cases;
 
 use bodies::any_body;
 use cases::cases;

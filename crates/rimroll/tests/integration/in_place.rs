@@ -1,12 +1,9 @@
 //! Bodies that wobble in place: what is conserved, where the rim touches the table, the turn by quadrature, and what is
 //! refused.
 
-#[path = "given/bodies.rs"]
-mod bodies;
-#[path = "given/cases.rs"]
-mod cases;
-#[path = "given/motions.rs"]
-mod motions;
+use crate::given::bodies;
+use crate::given::cases;
+use crate::given::motions;
 
 use bodies::any_body;
 use cases::cases;

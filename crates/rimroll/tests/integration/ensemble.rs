@@ -3,10 +3,8 @@
 //! An ensemble computes most falls in lanes and with its own steps; a fall alone is computed as a motion is.
 //! Both use the same laws and agree to within the tolerance.
 
-#[path = "given/bodies.rs"]
-mod bodies;
-#[path = "given/cases.rs"]
-mod cases;
+use crate::given::bodies;
+use crate::given::cases;
 
 use bodies::any_body;
 use cases::cases;

@@ -10,10 +10,6 @@ pub fn powers_of_ten(low: f64, high: f64) -> impl Strategy<Value = f64> {
 
 /// Masses from grams to tonnes, sizes from millimetres to metres, disks to columns, mass near the axis or far
 /// from it. The draw of C ensures C ≤ 2A.
-#[allow(
-    dead_code,
-    reason = "not every test that includes this file draws them"
-)]
 pub fn any_body() -> impl Strategy<Value = Body> {
     let height = prop_oneof![1 => Just(0.0), 4 => 0.05..5.0];
     let axial = prop_oneof![1 => Just(2.0), 4 => 0.05..2.0];
@@ -31,10 +27,6 @@ pub fn any_body() -> impl Strategy<Value = Body> {
 }
 
 /// Extreme bodies of mass and radius 1: needles, plates, all mass at the axis or at the centre.
-#[allow(
-    dead_code,
-    reason = "not every test that includes this file draws them"
-)]
 pub fn wild_body() -> impl Strategy<Value = Body> {
     let height = prop_oneof![1 => Just(0.0), 4 => powers_of_ten(-3.0, 3.0)];
     let axial = powers_of_ten(-6.0, 3.0);

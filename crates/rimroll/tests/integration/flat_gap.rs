@@ -15,12 +15,9 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-#[path = "given/bodies.rs"]
-mod bodies;
-#[path = "given/cases.rs"]
-mod cases;
-#[path = "given/shaken.rs"]
-mod shaken;
+use crate::given::bodies;
+use crate::given::cases;
+use crate::given::shaken;
 use bodies::powers_of_ten;
 use cases::cases;
 use shaken::{GRAVITY, any_column, any_flat, any_friction, any_ground, any_start, resistance};

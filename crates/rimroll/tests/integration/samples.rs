@@ -1,7 +1,6 @@
 //! Steps from sample to sample of a record, for one motion and in lanes.
 
-#[path = "given/cases.rs"]
-mod cases;
+use crate::given::cases;
 
 use cases::cases;
 use proptest::prelude::*;

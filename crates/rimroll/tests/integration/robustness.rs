@@ -1,14 +1,8 @@
 //! Properties of every motion: any body, on any table, thrown in any way.
 
-#[path = "given/bodies.rs"]
-mod bodies;
-#[path = "given/cases.rs"]
-mod cases;
-#[path = "robustness/census.rs"]
+use crate::given::cases;
 mod census;
-#[path = "robustness/examination.rs"]
 mod examination;
-#[path = "robustness/random_cases.rs"]
 mod random_cases;
 
 use cases::cases;

@@ -1,0 +1,30 @@
+//! Tests of the crate from outside, in one binary: the generic core is compiled for them once.
+
+mod bad_input;
+mod bounces;
+mod closed_forms;
+mod conservation;
+mod dry_friction;
+mod endings;
+mod ensemble;
+mod exact_turns;
+mod first_turn;
+mod flat_gap;
+mod friction;
+mod given;
+mod imperfection;
+mod in_place;
+mod joined_sensitivity;
+mod polygon;
+mod reference_motions;
+mod robustness;
+mod same_bits;
+mod samples;
+mod sensitivity;
+mod shake_many;
+mod shaken_sensitivity;
+mod shaking;
+mod solids;
+mod stiff_motions;
+mod validity;
+mod vanishing_resistance;
