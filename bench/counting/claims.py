@@ -197,16 +197,17 @@ def copies(shaken: Shaken, known: Known, rng: np.random.Generator) -> Iterator[F
 def vanishing(shaken: Shaken, known: Known, rng: np.random.Generator) -> Iterator[Finding]:
     """As a resistance vanishes, the motion becomes that without it.
 
-    Its effect is about as large as that of another change of the same size, except where a body
+    Its effect is about as large as that of another change of the same size, except after a body
     begins to rock. There a resistance keeps its heading as long as it is larger than the inertial
     forces, which grow with the tilt: for a time like a root of the resistance. So the effect of a
-    tenth of the resistance must be smaller, and that of a larger one not out of proportion.
+    tenth of the resistance must be at most half as large, which it is for a power of 0.3 and more,
+    and that of a larger resistance at most in proportion, except for a factor of 2.
     """
     if shaken.law.resistances or shaken.law.name == "in_place":
         return
     kind = str(rng.choice(RESISTANCES))
     energy = shaken.body.mass * shaken.gravity * shaken.body.radius
-    rocks_anew = any(event.kind == "uplift" for event in known.motion.events)
+    uplifts = [event.t for event in known.motion.events if event.kind == "uplift"]
 
     def resisted(size: float) -> rr.Motion:
         law = shaken.law + resistance(kind, size, shaken.body, shaken.gravity)
@@ -218,16 +219,19 @@ def vanishing(shaken: Shaken, known: Known, rng: np.random.Generator) -> Iterato
         lost = float(other.resistance_loss[-1]) / energy
         times = max(1.0, (size + lost) / PROBE)
         found = known.finding(f"{kind} resistance vanishes", other, times)
-        same_end = other.status == known.motion.status
-        if found.what and not found.why and rocks_anew and same_end:
+        ends = [float(motion.t[-1]) for motion in (other, known.motion)]
+        same_end = other.status == known.motion.status and math.isclose(*ends, rel_tol=1e-2)
+        if found.what and not found.why and uplifts and same_end:
             apart = known.apart(other)
             if below is None:
                 smaller = known.apart(resisted(0.1 * size))
-                is_regular = apart > 1.2 * smaller
+                is_regular = apart > 2.0 * smaller
             else:
-                is_regular = apart < 10.0 * size / below[0] * (below[1] + CLOSE)
+                is_regular = apart < 2.0 * size / below[0] * (below[1] + CLOSE)
+            is_regular &= known.t >= uplifts[0]
             matters = np.isfinite(apart) & (apart > CLOSE + 1e3 * known.spread)
-            if is_regular[matters & (known.spread < UNDETERMINED)].all():
+            matters &= known.spread < UNDETERMINED
+            if matters.any() and is_regular[matters].all():
                 found = replace(found, why="it delays how a body turns that begins to rock")
                 below = size, apart
         yield replace(found, what=found.what and f"at {size:g} {found.what}")

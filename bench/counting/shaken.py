@@ -119,7 +119,8 @@ def draw(seed: int, number: int) -> Shaken:
     flat, rtol = landings[int(rng.integers(5))], float(rng.choice([1e-8, 1e-9, 1e-10]))
     start = _start(rng, body, time, law)
     # From the roughness of stone to the flatness of a coarse base; half of the motions have none.
-    gap = radius * decades(rng, 1e-6, 0.1) * float(rng.random() < 0.5)
+    largest = min(0.1, 0.5 * radius / math.hypot(radius, body.height))
+    gap = radius * decades(rng, 1e-6, largest) * float(rng.random() < 0.5)
     shaken = Shaken(body, start, law, pulse, record, flat, gap, 1.0, gravity, rtol)
     duration = 1.2 * shaken.ground().duration + time * decades(rng, 0.3, 3.0)
     return replace(shaken, duration=duration)

@@ -25,7 +25,9 @@ def paper_motion(law, **options):
 
 def sixty_starts(number=float):
     """The core's table of turns as dicts of numbers; its head says how they were computed."""
-    table = Path(__file__).parents[2] / "crates/rimroll/tests/integration/given/turns_of_the_can.csv"
+    table = (
+        Path(__file__).parents[2] / "crates/rimroll/tests/integration/given/turns_of_the_can.csv"
+    )
     lines = [line for line in table.read_text().splitlines() if not line.startswith("#")]
     return [{name: number(x) for name, x in row.items()} for row in csv.DictReader(lines)]
 

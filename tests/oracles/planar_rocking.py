@@ -103,6 +103,7 @@ class PlanarRocking:
         gained = 2 * body.mass * self.gravity * lift / self.inertia if self.gap else 0.0
         factor = 1 - 2 * body.mass * body.radius**2 / self.inertia
         speed = factor * sqrt(state[1] ** 2 + gained)
-        weight = body.mass * self.gravity * body.radius
-        stands = self.inertia * speed**2 / 2 < weight * max(STANDS, sin(self.lowest))
+        rise = body.radius * sin(self.lowest) - body.height * (1 - cos(self.lowest))
+        needed = body.mass * self.gravity * max(STANDS * body.radius, rise)
+        stands = self.inertia * speed**2 / 2 < needed
         return (0, (0.0, 0.0)) if stands else (-side, (0.0, speed))

@@ -187,8 +187,8 @@ impl Ending {
                  Rigid-body mechanics does not say what follows from simultaneous impacts at every point of it"
             ),
             EndingKind::GapClosed { gap } => format!(
-                "face down at t = {t} s: the opposite point of the rim is {} m above the table, the gap below which \
-                 the base comes down flat, and rigid-body mechanics does not say what follows from simultaneous \
+                "face down at t = {t} s: the opposite point of the rim is at most {} m above the table, the gap \
+                 below which the base comes down flat, and rigid-body mechanics does not say what follows from simultaneous \
                  impacts at every point of it",
                 formatted(gap)
             ),

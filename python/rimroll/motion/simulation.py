@@ -112,7 +112,8 @@ def simulate(
         resistance still holds the contact point.
     flat_gap
         The base comes down flat also where the tilt falls below that at which the opposite point of
-        the rim is this far above the table, m: from 0, which means never, to a tenth of the radius.
+        the rim is this far above the table, m: from 0, which means never, to a tenth of the radius
+        or, for a slender body, to where the tilt is a quarter of the balance tilt.
         It goes on in the direction in which the axis moves, with the energy that it has; ``smooth``
         runs to the side of the yaw rate. On the way up nothing happens at this tilt, and a body
         whose energy does not suffice to reach it stands.

@@ -332,7 +332,9 @@ impl Contacts {
         let k = &self.parameters;
         let height = if at.phase == Phase::Rolling { k.h } else { 0.0 };
         let inertia = k.a + k.m * (k.r * k.r + height * height);
-        0.5 * inertia * at.p * at.p < k.m * k.g * k.r * self.sine_at_gap()
+        let sin = self.sine_at_gap();
+        let rise = k.r * sin - k.h * (1.0 - (1.0 - sin * sin).sqrt());
+        0.5 * inertia * at.p * at.p < k.m * k.g * rise
     }
 
     /// Whether resistance has stopped the motion of the contact point along the rim for good, so that the

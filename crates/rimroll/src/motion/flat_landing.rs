@@ -63,22 +63,26 @@ impl FlatLanding {
     }
 }
 
-/// Refuses a gap (m) under a base that comes down flat unless it is small beside the radius and, without the crate's
-/// feature `ground`, unless it is 0.
+/// Refuses a gap (m) under a base that comes down flat unless it is small and, without the crate's feature `ground`,
+/// unless it is 0.
+///
+/// The tilt at which the base comes down flat has to be small, and far below the balance tilt: a tenth of the radius, or a
+/// quarter of the balance tilt of a slender body.
 pub(super) fn check_gap(gap: f64, body: &Body) -> Result<(), InvalidInput> {
-    // The tilt at which the base comes down flat has to be small.
-    let largest = if LEVEL_PHASES {
-        0.1 * body.radius()
-    } else {
-        0.0
+    let (r, h) = (body.radius(), body.height());
+    let (tenth, of_balance) = (0.1 * r, 0.5 * r * r / libm::hypot(r, h));
+    let (largest, reason) = match LEVEL_PHASES {
+        false => (0.0, ""),
+        true if tenth <= of_balance => (tenth, ", a tenth of the radius"),
+        true => (
+            of_balance,
+            ", at which the base comes down from a quarter of the balance tilt",
+        ),
     };
     if (0.0..=largest).contains(&gap) {
         return Ok(());
     }
-    let bound = format!(
-        "between 0 and {}, a tenth of the radius",
-        formatted(largest)
-    );
+    let bound = format!("between 0 and {}{reason}", formatted(largest));
     bounded("flat_gap", gap, |_| false, &bound, "m").map(drop)
 }
 
@@ -149,10 +153,13 @@ fn turned_over<T: Real>(u: &Coordinates<T>, half_turn: f64) -> Coordinates<T> {
 /// The body at the end of a fall over the gap below a small tilt, which takes no time and costs no energy.
 ///
 /// The tilt as a vector (φ cos ψ, φ sin ψ) has the velocity (φ̇, w) along e_x1 and e_y1. The base comes down in this
-/// direction, so that the contact point is then where the direction points to. As in a near-collision, the angular momentum
-/// about the vertical through the contact point stays the same under a rim that rolls, and that about the axis under one
-/// that slides; a body that wobbles in place does not turn. A rim that rolls keeps its footprint, and one that slides the place and the horizontal velocity of its
-/// centre of mass. Of w only the sign remains, as that of the least number.
+/// direction, so that the contact point is then where the direction points to. As in the limit of a near-collision, the
+/// spin s about the axis stays the same; a body that wobbles in place does not turn. A rim that rolls keeps its
+/// footprint, and one that slides the place and the horizontal velocity of its centre of mass. Of w only the sign
+/// remains, as that of the least number.
+///
+/// Kinetic energy of a rim that rolls has the term −mHR w s, which goes with w. Where that would leave less than
+/// nothing for φ̇, the base comes to rest flat, and s is reduced.
 pub(super) fn fallen<T: Scalar>(
     dynamics: &dyn Dynamics<T>,
     friction: &FrictionLaw,
@@ -169,11 +176,11 @@ pub(super) fn fallen<T: Scalar>(
     let [x1, y1] = turned([at.x1 + toward_axis, at.y1]);
     let [vx, vy] = turned(dynamics.center_velocity(at));
     let rim = k.m * k.r * k.r;
-    let (s, height) = match friction {
-        FrictionLaw::InPlace => (zero, k.h),
-        _ if rolls => (at.s - k.m * k.h * k.r / (k.c + rim) * at.w, k.h),
-        _ => (at.s, zero),
+    let s = match friction {
+        FrictionLaw::InPlace => zero,
+        _ => at.s,
     };
+    let height = if rolls { k.h } else { zero };
     let w = if at.w.value() == 0.0 {
         at.w
     } else {
@@ -200,8 +207,14 @@ pub(super) fn fallen<T: Scalar>(
         }
     };
     let energy = dynamics.energy(at).total() - dynamics.energy(&moving(flat)).total();
+    if energy.value() < 0.0 {
+        let square = s * s + T::from(2.0) * energy / (k.c + if rolls { rim } else { zero });
+        let slower = square.max(zero).sqrt();
+        let s = if at.s.value() < 0.0 { -slower } else { slower };
+        return moving(Coordinates { s, ..flat });
+    }
     let inertia = k.a + rim + k.m * height * height;
-    let p = -(T::from(2.0) * energy / inertia).max(zero).sqrt();
+    let p = -(T::from(2.0) * energy / inertia).sqrt();
     moving(Coordinates { p, ..flat })
 }
 

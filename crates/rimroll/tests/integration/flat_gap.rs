@@ -54,7 +54,7 @@ impl Case {
     }
 }
 
-/// Shaken motions of all kinds, with gaps from 1e-6 R to R/10.
+/// Shaken motions of all kinds, with gaps from 1e-6 R to 0.08 R, which is allowed for the most slender column.
 fn any_case() -> impl Strategy<Value = Case> {
     any_column()
         .prop_flat_map(|body| {
@@ -63,7 +63,7 @@ fn any_case() -> impl Strategy<Value = Case> {
                 0..6_usize,
                 prop_oneof![Just(0.0), powers_of_ten(-6.0, -2.0)],
             );
-            let gap = powers_of_ten(-6.0, -1.0);
+            let gap = powers_of_ten(-6.0, -1.1);
             (
                 Just(body),
                 law,
@@ -115,7 +115,7 @@ fn any_release() -> impl Strategy<Value = Case> {
         Just(FrictionLaw::Frictionless),
         Just(FrictionLaw::InPlace),
     ];
-    (any_column(), law, flat, 0.2..0.9, powers_of_ten(-7.0, -1.0)).prop_map(
+    (any_column(), law, flat, 0.2..0.9, powers_of_ten(-7.0, -1.1)).prop_map(
         |(body, law, flat, part, gap)| {
             let (r, h) = (body.radius(), body.height());
             let options = Options {
@@ -242,6 +242,7 @@ proptest! {
         let height = |tilt: f64| r * libm::sin(tilt) - h * (1.0 - libm::cos(tilt));
         let factor = factor_of(&case);
         let gap = 0.5 * case.options.flat_gap;
+        let lowest = height(libm::asin(gap / r));
         let mut expected = height(case.start.tilt);
         prop_assert_eq!(motion.status, Status::Finished, "{}", motion.message());
         for tilt in kinds(&motion, EventKind::FaceDown) {
@@ -253,12 +254,12 @@ proptest! {
             let found = height(*tilt);
             // Nothing is lost on the way; the tilt at which a body comes down is exact to the tolerance.
             prop_assert!((found / expected - 1.0).abs() < 1e-8, "{i}: {found:e} {expected:e}");
-            prop_assert!(expected > gap * (1.0 - 1e-9));
+            prop_assert!(expected > lowest * (1.0 - 1e-9));
         }
         if motion.trajectory.end().phase.is_level() {
-            prop_assert!(factor * factor * expected <= gap.max(1.1e-7 * r));
+            prop_assert!(factor * factor * expected <= lowest.max(1.1e-7 * r));
         } else {
-            prop_assert!(!maxima.is_empty() || factor * factor * expected > gap);
+            prop_assert!(!maxima.is_empty() || factor * factor * expected > lowest);
         }
     }
 
@@ -308,12 +309,12 @@ proptest! {
                 prop_assert_eq!(after.s, 0.0);
             } else if before.phase == Phase::Rolling {
                 let c = body.axial_inertia();
-                // About the vertical through the contact point, and then through the new one.
-                let fallen = c * before.s + rim * before.s
-                    - body.mass() * body.radius() * body.height() * before.w;
-                let s = fallen / (c + rim);
-                let moment = c * s - rim * s;
-                prop_assert!((moment - (c + rim) * after.s).abs() < 1e-9 * (c + rim) * (s.abs() + rate * 1e-9));
+                // The fall keeps the spin unless it needs its energy; the collision keeps the angular momentum about the
+                // vertical through the new contact point.
+                let moment = (c - rim) * before.s;
+                let is_slower = after.p == 0.0 && after.s.abs() <= before.s.abs();
+                let apart = (moment - (c + rim) * after.s).abs();
+                prop_assert!(is_slower || apart < 1e-9 * (c + rim) * (before.s.abs() + rate * 1e-9));
             } else {
                 prop_assert!((before.s - after.s).abs() <= 1e-12 * before.s.abs());
             }
@@ -592,8 +593,34 @@ fn derivatives_over_a_gap_are_those_of_neighbouring_motions() {
     assert!(landings > 12, "{landings}");
 }
 
+/// No derivative follows a landing at the start.
 #[test]
-fn a_gap_beyond_a_tenth_of_the_radius_is_refused() {
+fn derivatives_of_a_body_that_lands_at_the_start_are_refused() {
+    let body = Body::new(1.0, 0.5, 1.0, 0.5, 0.2).unwrap();
+    let start = State {
+        tilt: 1e-3,
+        tilt_rate: -0.1,
+        ..State::default()
+    };
+    let ground =
+        Arc::new(Ground::sampled(0.1, vec![[0.0; 3], [0.0, 0.0, 1e-3], [0.0; 3]]).unwrap());
+    let options = Options {
+        flat: FlatLanding::Housner,
+        flat_gap: 0.01,
+        ..Options::default()
+    };
+    let law = ContactLaw::from(FrictionLaw::NoSlip);
+    let go_on = |_| ControlFlow::Continue(());
+    let motion = simulate_on(Some(ground), &body, &start, law, &options, go_on).unwrap();
+    assert_eq!(motion.events[0].kind, EventKind::FaceDown);
+    let refused = motion
+        .shaken_sensitivity(|_| ControlFlow::Continue(()))
+        .err();
+    assert!(refused.unwrap().to_string().contains("from below flat_gap"));
+}
+
+#[test]
+fn a_gap_beyond_a_tenth_of_the_radius_or_a_quarter_of_the_balance_tilt_is_refused() {
     let body = Body::new(1.0, 0.5, 1.0, 0.5, 0.2).unwrap();
     let start = State {
         tilt: 0.1,
@@ -613,5 +640,22 @@ fn a_gap_beyond_a_tenth_of_the_radius_is_refused() {
             let bound = "between 0 and 0.05, a tenth of the radius, got 0.051 m";
             assert!(message.contains(bound), "{message}");
         }
+        let needle = Body::new(1.0, 0.5, 12.0, 0.5, 0.2).unwrap();
+        let options = Options {
+            flat_gap: 0.02,
+            ..Options::default()
+        };
+        let upright = State {
+            tilt: 0.01,
+            ..State::default()
+        };
+        let refused = simulate(&needle, &upright, FrictionLaw::NoSlip, &options, |_| {
+            ControlFlow::Continue(())
+        });
+        let message = refused.err().unwrap().to_string();
+        assert!(
+            message.contains("a quarter of the balance tilt, got 0.02 m"),
+            "{message}"
+        );
     }
 }

@@ -13,6 +13,7 @@ use crate::ending::Status;
 use crate::error::InvalidInput;
 use crate::law::FrictionLaw;
 use crate::motion::Motion;
+use crate::motion::event::EventKind;
 use crate::motion::instant::Phase;
 use crate::motion::shaken::{footprint, largest_tilt};
 use crate::motion::step_record::StepRecord;
@@ -81,6 +82,11 @@ impl ShakenSensitivity {
         motion: &Motion,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<ControlFlow<()>, InvalidInput> {
+        let start = self.start.t.value;
+        let first = motion.events.first();
+        if first.is_some_and(|event| event.kind == EventKind::FaceDown && event.at.t == start) {
+            return Err(refused("the base comes down flat from below flat_gap"));
+        }
         let mut before: Option<&StepRecord> = None;
         for (i, record) in motion.trajectory.records().iter().enumerate() {
             if i % STEPS_BETWEEN_REPORTS == 0 && watch(record.start[TIME]).is_break() {
