@@ -113,6 +113,16 @@ def test_units_are_named_and_converted() -> None:
     assert shaken.attrs["gravity"] == 9.81
 
 
+def test_the_duration_of_the_options_counts_unless_another_is_given() -> None:
+    ground, start = rr.ground.sine(amplitude=1.0, period=1.0), rr.State(tilt=0.05, yaw_rate=0.1)
+    options = rr.Options(duration=0.4)
+    for duration, expected in ((None, 0.4), (0.3, 0.3)):
+        found = rr.shake_many(
+            COLUMN, start, rr.NoSlip(), ground, duration=duration, options=options
+        )
+        assert found.end_time.item() == expected
+
+
 def test_a_body_below_the_threshold_of_uplift_stands() -> None:
     shaken = rr.shake_many(COLUMN, STANDING, rr.NoSlip(), rr.ground.sine(2.4, 1.0))
     assert np.isnan(shaken["uplift_time"].item())

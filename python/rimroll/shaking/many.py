@@ -135,9 +135,9 @@ def shake_many(
     scale
         A factor on the acceleration of the ground, 1e-6 to 1e6: a number, (n,) or a data array.
     duration
-        Length of the motion, s: a number, (n,) or a data array. By default it is the
-        duration of the ground and a further 20/p with the body's :func:`rimroll.rocking_frequency`
-        p, in which nearly every body that overturns falls over.
+        Length of the motion, s: a number, (n,) or a data array. By default it is that of
+        ``options`` or, without them, the duration of the ground and a further 20/p with the body's
+        :func:`rimroll.rocking_frequency` p, in which nearly every body that overturns falls over.
     gravity, rtol, topple_tilt, max_steps, flat, flat_gap, options
         As for :func:`rimroll.simulate`.
     threads
@@ -165,6 +165,9 @@ def shake_many(
     Interrupted
         On Ctrl-C; it carries the motions done so far, in rows.
     """
+    chosen = SHAKING.changed(options, None, keywords)
+    if duration is None and options is not None:
+        duration = options.duration
     shaken = follow_shaken(
         body,
         starts,
@@ -172,7 +175,7 @@ def shake_many(
         grounds,
         scale=scale,
         duration=duration,
-        options=SHAKING.changed(options, None, keywords),
+        options=chosen,
         threads=threads,
         progress=progress,
     )

@@ -191,7 +191,7 @@ def random_maxima(
     count, tilt_noise, yaw_noise, seed
         As for :func:`rimroll.imperfect_starts`.
     gravity, rtol, topple_tilt, max_steps, flat, flat_gap, options, threads, progress
-        As for :func:`rimroll.shake_many`.
+        As for :func:`rimroll.shake_many`, whose default duration all motions have.
     """
     one_body(body)
     one_law(law)

@@ -65,7 +65,8 @@ def overturning_scale(
     precision
         The relative width of the interval in which the factor is then known.
     gravity, rtol, topple_tilt, max_steps, flat, flat_gap, options, threads
-        As for :func:`rimroll.shake_many`; by default an impact of the whole base is plastic.
+        As for :func:`rimroll.shake_many`, whose default duration all motions have; by default an
+        impact of the whole base is plastic.
 
     Returns
     -------

@@ -101,7 +101,7 @@ def rocking_spectrum(
         base is plastic by default, too (``flat``; Housner 1963), as in planar rocking spectra
         (Makris & Konstantinidis 2003).
     gravity, rtol, topple_tilt, max_steps, flat, flat_gap, options, threads, progress
-        As for :func:`rimroll.shake_many`.
+        As for :func:`rimroll.shake_many`, whose default duration all motions have.
 
     Raises
     ------
