@@ -41,9 +41,10 @@ def __getattr__(name):
             name=name,
             obj=sys.modules[__name__],
         )
-    if _HOME[name] == __name__:
-        return import_module(f"{__name__}.{name}")
-    value = globals()[name] = getattr(import_module(_HOME[name]), name)
+    home = import_module(_HOME[name])
+    if home is sys.modules[__name__] or not hasattr(home, name):  # a module of its own
+        return import_module(f"{home.__name__}.{name}")
+    value = globals()[name] = getattr(home, name)
     return value
 
 

@@ -72,6 +72,17 @@ def test_the_names_that_type_checkers_see_are_there():
         assert getattr(rr, name) is (getattr(home, name, None) or import_module(f"{module}.{name}"))
 
 
+def test_every_public_name_is_found_in_a_new_process():
+    program = "import rimroll as rr; print(len([getattr(rr, name) for name in rr.__all__]))"
+    for order in ("sorted", "reversed"):
+        run = subprocess.run(
+            [sys.executable, "-c", program.replace("rr.__all__", f"{order}(rr.__all__)")],
+            capture_output=True,
+            text=True,
+        )
+        assert run.stdout.strip() == str(len(rr.__all__)), run.stderr
+
+
 def test_a_name_that_there_is_not_is_an_attribute_error_with_a_suggestion():
     run = subprocess.run(
         [sys.executable, "-c", "import rimroll as rr; rr.ensembel"], capture_output=True, text=True

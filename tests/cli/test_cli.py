@@ -648,7 +648,7 @@ FALLS = Path(__file__).parents[2] / "examples/falls_of_the_paper.csv"
 QUICK = {
     "turn --tilt 30deg --yaw-rate 1deg/s": "matplotlib jinja2 scipy",
     "topple can_2007 -o falls.csv -o falls.json": "matplotlib jinja2 scipy",
-    f"fit {FALLS}": "matplotlib jinja2 scipy.stats",
+    f"fit {FALLS}": "matplotlib jinja2",
     "topple --friction 0.2 --json": "matplotlib jinja2 scipy",
     "topple -o falls.svg": "",
     "map --starts 4 --friction 0.2 -o map.csv": "matplotlib jinja2 scipy",

@@ -246,7 +246,7 @@ def test_motions_that_ended_undecided_are_left_out_and_counted() -> None:
 
 def test_motions_that_stop_flat_while_the_table_moves_or_still_fall_are_undecided() -> None:
     column = rr.Body(1000, 0.5, 2.0, 1395.8333333333333, 125.0)
-    pulse = rr.ground.rectangular(3.6, 0.58)
+    pulse = rr.ground.rectangular(3.6, 0.58) + rr.ground.sine(1e-3, 1.0, cycles=60)
     falling, flat, fell = (
         rr.shake_many(
             column, start, rr.NoSlip(), pulse, scale=scale, duration=duration, flat="stop"

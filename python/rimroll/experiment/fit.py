@@ -34,7 +34,7 @@ from rimroll.experiment.predicted import (
 )
 from rimroll.experiment.release import Release
 from rimroll.laws import Coulomb
-from rimroll.many.map_figure import around, middle_of
+from rimroll.many.left_or_right import around, middle_of
 from rimroll.units import Number, Values, number, without_unit
 
 if TYPE_CHECKING:

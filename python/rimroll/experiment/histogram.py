@@ -26,7 +26,7 @@ from rimroll.files.recorded import ending_in_words
 from rimroll.laws import LAWS, Law, in_brief, law_of
 from rimroll.many.ensemble import Array
 from rimroll.many.falls import Falls
-from rimroll.many.map_figure import around, away, middle_of
+from rimroll.many.left_or_right import around, away, middle_of
 from rimroll.paper.setting import MEASURED
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from dataclasses import fields, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from rimroll import _core
 from rimroll.bodies.body import Body, body_of, one_body
@@ -298,3 +298,18 @@ def _change(falls: Falls, row: int) -> tuple[float, float] | None:
         return None
     low, high = falls["yaw_rate"][known[[changes[0], changes[0] + 1]]]
     return float(low), float(high)
+
+
+def away(middle: float, degrees: ArrayLike) -> Array:
+    """Differences of directions from another one, −180 to 180."""
+    return np.asarray(np.mod(np.asarray(degrees, np.float64) - middle + 180.0, 360.0) - 180.0)
+
+
+def around(middle: float, degrees: ArrayLike) -> Array:
+    """Directions as angles within half a turn of another."""
+    return middle + away(middle, degrees)
+
+
+def middle_of(degrees: ArrayLike) -> float:
+    """180 or 0, whichever is closer to the directions on average."""
+    return min((180.0, 0.0), key=lambda middle: float(np.abs(away(middle, degrees)).mean()))

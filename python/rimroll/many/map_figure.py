@@ -14,14 +14,14 @@ from matplotlib.colors import Colormap, Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rimroll.figures import style
 from rimroll.figures.style import powers_into_label
 from rimroll.files.recorded import FELL, ending_in_words
 from rimroll.many.ensemble import fell, outcomes
 from rimroll.many.falls import Falls
-from rimroll.many.left_or_right import side_line
+from rimroll.many.left_or_right import around, middle_of, side_line
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -188,18 +188,3 @@ def _title(falls: Falls) -> str:
     law = " ".join([str(attrs["law"]).replace("_", " "), *numbers])
     tilt, rate = np.degrees(attrs["start_tilt"]), attrs["start_tilt_rate"]
     return f"{law}, from {tilt:.4g}° at {rate:.4g} rad/s".replace("-", "−")
-
-
-def away(middle: float, degrees: ArrayLike) -> Array:
-    """Differences of directions from another one, −180 to 180."""
-    return np.asarray(np.mod(np.asarray(degrees, np.float64) - middle + 180.0, 360.0) - 180.0)
-
-
-def around(middle: float, degrees: ArrayLike) -> Array:
-    """Directions as angles within half a turn of another."""
-    return middle + away(middle, degrees)
-
-
-def middle_of(degrees: ArrayLike) -> float:
-    """180 or 0, whichever is closer to the directions on average."""
-    return min((180.0, 0.0), key=lambda middle: float(np.abs(away(middle, degrees)).mean()))
