@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 class RimrollError(ValueError):
     """An invalid request, in one sentence: ``str(error)``.
 
-    Where it is a single value that is invalid, the attributes say which and why. The others then
-    are as they are for other errors: None or empty.
+    Where a single value is invalid, the attributes say which and why. In other errors they are None
+    or empty.
 
     >>> import rimroll as rr
     >>> try:
@@ -70,22 +70,22 @@ class RimrollError(ValueError):
         return " ".join(filter(None, (self.where, element(self.name, self.index), self.text)))
 
     def at(self, index: Iterable[int]) -> Self:
-        """The same error about the element of an array with this index."""
+        """A copy that names the element of an array by its index."""
         return self._with(index=tuple(index))
 
     def called(self, names: Mapping[str, str]) -> Self:
-        """The same error in the words of those who gave the values, by field."""
+        """A copy that calls each field by the name that the user knows, such as ``--tilt-rate``."""
         text = self.text
         if self.other:
             text = text.replace(f"{self.other} = ", f"{names.get(self.other, self.other)} = ")
         return self._with(text=text, name=names.get(self.field or "", self.name))
 
     def inside(self, where: str) -> Self:
-        """The same error about a value in a place, which contains the places named so far."""
+        """A copy that puts this place, such as a file, before the places that it names so far."""
         return self._with(where=f"{where} {self.where}".rstrip())
 
     def with_hint(self, hint: str) -> Self:
-        """The same error, whose sentence ends with a hint."""
+        """A copy that ends with a hint."""
         return self._with(text=self.text + hint)
 
     def _with(self, **attributes: object) -> Self:

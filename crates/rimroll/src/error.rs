@@ -88,7 +88,7 @@ impl InvalidInput {
         }
     }
 
-    /// The same error, whose bound depends on another field and names it.
+    /// States the field that the bound depends on and names.
     pub(crate) fn beside(mut self, field: &'static str) -> InvalidInput {
         if let InvalidInput::OutOfBounds { other, .. } = &mut self {
             *other = Some(field);

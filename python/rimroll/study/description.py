@@ -82,7 +82,7 @@ class Description:
     """The SHA-256 of each record when the study was planned, by its name in the study."""
 
     def with_records(self) -> Description:
-        """The same with the records of this moment; ``RimrollError`` for one that is not there."""
+        """A copy with the records as they are now. Raises ``RimrollError`` for a missing record."""
         tables = [] if self.tables["ground"] is None else [self.tables["ground"]]
         for axis in self.axes:
             if axis.of in ("ground", "ground.record"):

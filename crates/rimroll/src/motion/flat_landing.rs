@@ -115,8 +115,8 @@ pub(super) fn plastic_factor<T: Real>(k: &Parameters<T>, rolls: bool) -> T {
     factor.max(T::from(0.0))
 }
 
-/// The same motion of a disk whose other face comes down, with this face as the first one: the axis has the opposite
-/// direction. Other bodies stay as they are.
+/// Describes a disk whose other face comes down with the opposite direction of its axis, so that this face is the first
+/// one. Other bodies stay as they are.
 pub(super) fn on_first_face<T: Scalar>(u: &Coordinates<T>) -> Coordinates<T> {
     if u.cos.value() < 0.0 {
         turned_over(u, PI)

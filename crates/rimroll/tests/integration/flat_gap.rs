@@ -263,7 +263,7 @@ proptest! {
         }
     }
 
-    /// Of the two angles, the one from the side decides on which side a body goes on, and no energy is gained.
+    /// A body with a sideways velocity goes on to the side to which its axis moves. No energy is gained.
     #[test]
     fn beside_its_plane_a_body_goes_on_where_its_axis_moves(
         case in any_release(), sideways in 0.01..3.0_f64, spin in -1.0..1.0_f64,

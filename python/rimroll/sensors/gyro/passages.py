@@ -280,9 +280,9 @@ class Sensed:
 
     @cached_property
     def mistaken(self) -> list[Sensed]:
-        """The same with one standard deviation of each error that a whole record shares.
+        """Copies that are wrong by one standard deviation of an error that a whole record shares.
 
-        These are the bias along x, y and z, and the sensitivity along x, y and z.
+        These errors are the bias along x, y and z, and the sensitivity along x, y and z.
         """
         biased = [self.rates + self.bias_error * along for along in np.eye(3)]
         scaled = [self.rates * (1.0 + SCALE_ERROR * along) for along in np.eye(3)]

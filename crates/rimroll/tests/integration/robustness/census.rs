@@ -34,7 +34,7 @@ fn way(motion: &Motion) -> f64 {
     nodes.windows(2).map(between).sum()
 }
 
-/// `SERIES=1 COUNT=10000 cargo test --release --test robustness -- --ignored --nocapture census`; `ONLY=17`
+/// `SERIES=1 COUNT=10000 cargo test --release --test integration -- --ignored --nocapture census`; `ONLY=17`
 /// shows one case in full, `WILD=1` draws extreme bodies.
 #[test]
 #[ignore = "minutes: a census of many motions"]
