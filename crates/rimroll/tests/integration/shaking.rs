@@ -304,6 +304,56 @@ fn the_energy_budget_closes_as_resistance_lets_a_base_fall_flat() {
     assert!(stood > 10, "{stood}");
 }
 
+/// A rim that slides as resistance lets its base fall flat is turned by friction until then, and held by resistance.
+#[test]
+fn the_energy_budget_closes_as_a_sliding_base_falls_flat() {
+    let frictions = [
+        FrictionLaw::coulomb(0.3),
+        Viscous { coefficient: 5.0 }.into(),
+        Viscous { coefficient: 0.5 }.into(),
+    ];
+    let flats = [FlatLanding::Housner, FlatLanding::Restitution(0.4)];
+    let mut landings = 0;
+    for case in 0..180 {
+        let part = |n: usize, step: usize| (case / step % n) as f64;
+        let (r, slenderness, spin) = (0.12, [0.5, 2.0, 4.0][case % 3], part(5, 3) - 2.1);
+        let h = r * slenderness;
+        let body = Body::new(1.0, r, h, 0.25 * r * r + h * h / 3.0, 0.4 * r * r).unwrap();
+        let rate = (9.81 / r).sqrt();
+        let start = State {
+            tilt: (0.02 + 0.05 * part(2, 15)) * (r / h).atan(),
+            tilt_rate: -0.05 * rate,
+            yaw_rate: 0.3 * rate,
+            spin_rate: 0.5 * spin * rate,
+            ..State::default()
+        };
+        let rolling = RollingResistance {
+            dry: 1e-3,
+            viscous: 0.0,
+        };
+        let law = ContactLaw {
+            resistance: Resistance {
+                rolling,
+                ..Resistance::default()
+            },
+            ..frictions[case / 30 % 3].clone().into()
+        };
+        let options = Options {
+            flat: flats[case / 90],
+            ..tight(6.0 / rate)
+        };
+        let motion = shaken(ground(two_sines()), &body, &start, law, &options);
+        landings += motion
+            .events
+            .iter()
+            .filter(|one| one.kind.name() == "face_down")
+            .count();
+        let error = imbalance(&motion);
+        assert!(error < 1e-7, "{case}: {error:e}");
+    }
+    assert!(landings > 100, "{landings}");
+}
+
 #[test]
 fn a_body_without_friction_stays_behind_and_does_not_turn() {
     let a = [2.0, -3.0, 0.0];

@@ -78,13 +78,15 @@ pub(super) fn last_fall(contacts: &Contacts, at: &Instant) -> Dense<f64, COORDIN
     } else {
         -u.p / acceleration
     };
-    // The rates half-way, by which the energy changes by the work of the table.
+    // The rates half-way, where resistance holds the contact point, too: by these the energy changes by the work of table
+    // and friction.
     let half_way = Coordinates {
         p: 0.5 * (u.p + p),
         sin: 0.5 * (u.sin + flat),
         cos: 1.0,
         ..u.plus(0.5 * time / u.sin, &at_start)
     };
+    let half_way = contacts.without_running(at.phase, &half_way);
     let mean = rates(&half_way);
     let end = Coordinates {
         sin: flat,
