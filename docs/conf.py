@@ -58,7 +58,7 @@ nitpick_ignore_regex = [
     # Types in signatures that are no part of the reference, or belong to other packages.
     ("py:.*", r"(?!rimroll\.).*"),
     ("py:class", r"rimroll\..*\.[A-Z]\w*|rimroll\._.*"),
-    ("py:mod", r"rimroll\.experiment\.fitting\..*"),  # for people who read the source
+    ("py:mod", r"rimroll\.experiment\.(likelihood|predicted)"),  # for people who read the source
 ]
 
 html_theme = "furo"

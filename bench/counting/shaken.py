@@ -11,6 +11,7 @@ import numpy as np
 import rimroll as rr
 from counting.draws import decades
 from counting.engines import Array
+from rimroll.laws import Resistance
 
 MAX_STEPS = 30_000
 RESISTANCES = ("rolling", "viscous rolling", "pivoting", "air")
@@ -89,7 +90,7 @@ class Shaken:
         return replace(self.started(**start), body=large, slower=slower, **sizes)
 
 
-def resistance(kind: str, size: float, body: rr.Body, gravity: float) -> rr.Resistance:
+def resistance(kind: str, size: float, body: rr.Body, gravity: float) -> Resistance:
     """A resistance of about ``size`` times the weight, or that takes such a part of the energy in
     the time of falling."""
     rate = math.sqrt(gravity / body.radius)

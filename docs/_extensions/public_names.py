@@ -43,9 +43,15 @@ def undocumented():
                     yield f"{name}.{inner}"
 
 
+def full_names():
+    """The public names as the reference has them: modules with their path in the package."""
+    values = {f"rimroll.{name}": getattr(rimroll, name) for name in rimroll.__all__}
+    return {value.__name__ if inspect.ismodule(value) else name for name, value in values.items()}
+
+
 def not_described():
     """Public names that have no place in the reference; functions of modules come with them."""
-    return {f"rimroll.{name}" for name in rimroll.__all__} - set(described())
+    return full_names() - set(described())
 
 
 def check(app):

@@ -18,12 +18,12 @@ M. Srinivasan and A. Ruina, *Rocking and rolling: a can that appears to rock mig
 import ast
 import sys
 from importlib import import_module
+from pathlib import Path
 
 
 def _public():
     """The module of each public name, as the stub beside this file has it."""
-    with open(f"{__file__}i", encoding="utf-8") as stub:
-        lines = ast.parse(stub.read()).body
+    lines = ast.parse(Path(__file__).with_name("__init__.pyi").read_text("utf-8")).body
     imports = (line for line in lines if isinstance(line, ast.ImportFrom))
     return {alias.name: line.module for line in imports for alias in line.names}
 

@@ -1,4 +1,4 @@
-"""Everyday bodies with corners.
+"""Bodies with corners: their class, and everyday ones.
 
 Those made from nominal sizes are typical of their kind, not of one specimen. Others come from
 :meth:`rimroll.PolygonalBody.prism`, or from measured numbers.

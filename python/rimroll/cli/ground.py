@@ -11,7 +11,13 @@ from typing import Annotated, Any
 import typer
 
 from rimroll.cli.contact import option
-from rimroll.cli.options import BodyOptions, MotionOptions, StartOptions, completing, pairs
+from rimroll.cli.options import (
+    BodyOptions,
+    MotionOptions,
+    StartOptions,
+    pairs,
+    value_option,
+)
 from rimroll.cli.request import Shaking, is_file
 from rimroll.errors import RimrollError, typed
 from rimroll.ground.described import NUMBERS, PULSES, Description
@@ -26,9 +32,7 @@ OPTION_OF = {"duration": "--pulse-duration", "rotation": "--rotate"}
 
 
 def _given(help: str, metavar: str, choices: Sequence[str] = (), panel: str = "Ground") -> object:
-    return typer.Option(
-        help=help, metavar=metavar, rich_help_panel=panel, autocompletion=completing(choices)
-    )
+    return value_option(help, metavar, panel, choices)
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from uncertainties import UFloat
 
 from rimroll._core import __version__
 from rimroll.cli.contact import option
-from rimroll.cli.options import JsonOption
+from rimroll.cli.options import JsonOption, value_option
 from rimroll.cli.screen import prose, say, show_json, table
 from rimroll.errors import RimrollError, typed
 from rimroll.experiment.measurement import Measurement, measured
@@ -33,10 +33,6 @@ INERTIA = {
 Text = str | None
 
 
-def _given(help: str, metavar: str, panel: str) -> Any:
-    return typer.Option(help=help, metavar=metavar, rich_help_panel=panel)
-
-
 SIZE, BALANCE = "Size", "Balance (one of them)"
 SWUNG = "Hung from the rim of its base, swinging along (for A)"
 ACROSS, ROCKED = "Swinging across (for C)", "Instead of swinging along: rocking (for A)"
@@ -47,15 +43,17 @@ ROLLED = "Instead of swinging across: rolling down a slope on its side (for C)"
 class MeasureOptions:
     """The readings."""
 
-    mass: Annotated[Text, _given("On the scales.", "MASS", SIZE)] = None
-    radius: Annotated[Text, _given("Of the rim that touches the table.", "LENGTH", SIZE)] = None
-    diameter: Annotated[Text, _given("Or this: twice the radius.", "LENGTH", SIZE)] = None
+    mass: Annotated[Text, value_option("On the scales.", "MASS", SIZE)] = None
+    radius: Annotated[Text, value_option("Of the rim that touches the table.", "LENGTH", SIZE)] = (
+        None
+    )
+    diameter: Annotated[Text, value_option("Or this: twice the radius.", "LENGTH", SIZE)] = None
     length: Annotated[
-        Text, _given("How tall it is, base to top: a check on the others.", "LENGTH", SIZE)
+        Text, value_option("How tall it is, base to top: a check on the others.", "LENGTH", SIZE)
     ] = None
     balance_point: Annotated[
         Text,
-        _given(
+        value_option(
             "Lying across an edge it balances; how far from its base is the edge?",
             "LENGTH",
             BALANCE,
@@ -63,7 +61,7 @@ class MeasureOptions:
     ] = None
     balance_tilt: Annotated[
         Text,
-        _given(
+        value_option(
             "The tilt at which it stands poised on its rim, without a liquid in it.",
             "ANGLE",
             BALANCE,
@@ -71,53 +69,57 @@ class MeasureOptions:
     ] = None
     swings: Annotated[
         Text,
-        _given("Swings there and back, in the plane of pivot and symmetry axis.", "NUMBER", SWUNG),
+        value_option(
+            "Swings there and back, in the plane of pivot and symmetry axis.", "NUMBER", SWUNG
+        ),
     ] = None
-    swings_time: Annotated[Text, _given("How long they took.", "TIME", SWUNG)] = None
-    swing_period: Annotated[Text, _given("Or one swing by itself.", "TIME", SWUNG)] = None
+    swings_time: Annotated[Text, value_option("How long they took.", "TIME", SWUNG)] = None
+    swing_period: Annotated[Text, value_option("Or one swing by itself.", "TIME", SWUNG)] = None
     swing_amplitude: Annotated[
-        Text, _given("If it is not small: how far to either side.", "ANGLE", SWUNG)
+        Text, value_option("If it is not small: how far to either side.", "ANGLE", SWUNG)
     ] = None
     pivot_height: Annotated[
         Text,
-        _given(
+        value_option(
             "If hung elsewhere: pivot above the base, as a mug on its lip. [0]", "LENGTH", SWUNG
         ),
     ] = None
     pivot_radius: Annotated[
-        Text, _given("And from the symmetry axis. [that of the rim]", "LENGTH", SWUNG)
+        Text, value_option("And from the symmetry axis. [that of the rim]", "LENGTH", SWUNG)
     ] = None
     rocking_tilt: Annotated[
-        Text, _given("Let go at rest from this tilt of the base;", "ANGLE", ROCKED)
+        Text, value_option("Let go at rest from this tilt of the base;", "ANGLE", ROCKED)
     ] = None
     rocking_time: Annotated[
         Text,
-        _given("how long until it is at its highest on the other side.", "TIME", ROCKED),
+        value_option("how long until it is at its highest on the other side.", "TIME", ROCKED),
     ] = None
     across_swings: Annotated[
-        Text, _given("Swings perpendicular to those along.", "NUMBER", ACROSS)
+        Text, value_option("Swings perpendicular to those along.", "NUMBER", ACROSS)
     ] = None
-    across_time: Annotated[Text, _given("How long they took.", "TIME", ACROSS)] = None
-    across_period: Annotated[Text, _given("Or one swing by itself.", "TIME", ACROSS)] = None
+    across_time: Annotated[Text, value_option("How long they took.", "TIME", ACROSS)] = None
+    across_period: Annotated[Text, value_option("Or one swing by itself.", "TIME", ACROSS)] = None
     across_pivot: Annotated[
         Text,
-        _given(
+        value_option(
             "edge, or point: a hook or thread that lets it twist as it swings. [edge]",
             "PIVOT",
             ACROSS,
         ),
     ] = None
-    slope_length: Annotated[Text, _given("The way it rolls from rest.", "LENGTH", ROLLED)] = None
+    slope_length: Annotated[Text, value_option("The way it rolls from rest.", "LENGTH", ROLLED)] = (
+        None
+    )
     slope_height: Annotated[
-        Text, _given("How far the slope falls on that way.", "LENGTH", ROLLED)
+        Text, value_option("How far the slope falls on that way.", "LENGTH", ROLLED)
     ] = None
-    slope_angle: Annotated[Text, _given("Or its angle.", "ANGLE", ROLLED)] = None
-    slope_time: Annotated[Text, _given("How long it took.", "TIME", ROLLED)] = None
+    slope_angle: Annotated[Text, value_option("Or its angle.", "ANGLE", ROLLED)] = None
+    slope_time: Annotated[Text, value_option("How long it took.", "TIME", ROLLED)] = None
     side_radius: Annotated[
-        Text, _given("Radius of its widest part. [that of the rim]", "LENGTH", ROLLED)
+        Text, value_option("Radius of its widest part. [that of the rim]", "LENGTH", ROLLED)
     ] = None
     gravity: Annotated[
-        Text, _given("The paper used 9.8. [9.80665 m/s^2]", "ACCELERATION", SIZE)
+        Text, value_option("The paper used 9.8. [9.80665 m/s^2]", "ACCELERATION", SIZE)
     ] = None
 
 

@@ -34,7 +34,8 @@ def whole(least: int | None = None, most: int | None = None) -> Callable[[str], 
     return read
 
 
-def _option(help: str, metavar: str, panel: str, choices: Iterable[str] = ()) -> Any:
+def value_option(help: str, metavar: str, panel: str, choices: Iterable[str] = ()) -> Any:
+    """An option with a value in a panel of the help."""
     return typer.Option(
         help=help, metavar=metavar, rich_help_panel=panel, autocompletion=completing(choices)
     )
@@ -70,29 +71,33 @@ class BodyOptions:
         typer.Option(hidden=True),
     ] = None
     fill: Annotated[
-        str | None, _option("How full soda_can or beer_bottle is: 0.5 or 50%.", "PART", "Body")
+        str | None, value_option("How full soda_can or beer_bottle is: 0.5 or 50%.", "PART", "Body")
     ] = None
     radius: Annotated[
         str | None,
-        _option("Radius of the rim: of ring, disk, cylinder, or your own body.", "LENGTH", "Body"),
+        value_option(
+            "Radius of the rim: of ring, disk, cylinder, or your own body.", "LENGTH", "Body"
+        ),
     ] = None
-    length: Annotated[str | None, _option("Length of cylinder.", "LENGTH", "Body")] = None
+    length: Annotated[str | None, value_option("Length of cylinder.", "LENGTH", "Body")] = None
     mass: Annotated[
-        str | None, _option("Mass of cylinder, or of your own body.", "MASS", "Body")
+        str | None, value_option("Mass of cylinder, or of your own body.", "MASS", "Body")
     ] = None
     density: Annotated[
         str | None,
-        _option("Density of cylinder: 2700kg/m3 is stone. [that of water]", "DENSITY", "Body"),
+        value_option("Density of cylinder: 2700kg/m3 is stone. [that of water]", "DENSITY", "Body"),
     ] = None
     height: Annotated[
-        str | None, _option("Height of its centre of mass above the base.", "LENGTH", "Body")
+        str | None, value_option("Height of its centre of mass above the base.", "LENGTH", "Body")
     ] = None
     transverse_inertia: Annotated[
         str | None,
-        _option("A, about an axis through the centre of mass across the body.", "INERTIA", "Body"),
+        value_option(
+            "A, about an axis through the centre of mass across the body.", "INERTIA", "Body"
+        ),
     ] = None
     axial_inertia: Annotated[
-        str | None, _option("C, about the symmetry axis.", "INERTIA", "Body")
+        str | None, value_option("C, about the symmetry axis.", "INERTIA", "Body")
     ] = None
 
 
@@ -101,35 +106,35 @@ class StartOptions:
     """From where and how fast."""
 
     tilt: Annotated[
-        str | None, _option("Tilt at the start; 0 is upright, base flat.", "ANGLE", "Start")
+        str | None, value_option("Tilt at the start; 0 is upright, base flat.", "ANGLE", "Start")
     ] = None
     tilt_rate: Annotated[
-        str | None, _option("Negative while falling toward upright. [0]", "RATE", "Start")
+        str | None, value_option("Negative while falling toward upright. [0]", "RATE", "Start")
     ] = None
     yaw_rate: Annotated[
-        str | None, _option("How fast the contact point goes round. [0]", "RATE", "Start")
+        str | None, value_option("How fast the contact point goes round. [0]", "RATE", "Start")
     ] = None
-    spin_rate: Annotated[str | None, _option("About the symmetry axis. [0]", "RATE", "Start")] = (
-        None
-    )
+    spin_rate: Annotated[
+        str | None, value_option("About the symmetry axis. [0]", "RATE", "Start")
+    ] = None
 
 
 @dataclass(frozen=True)
 class MotionOptions:
     """Duration and accuracy of the motion."""
 
-    duration: Annotated[str | None, _option("Duration of the motion. [2 s]", "TIME", "Motion")] = (
-        None
-    )
+    duration: Annotated[
+        str | None, value_option("Duration of the motion. [2 s]", "TIME", "Motion")
+    ] = None
     gravity: Annotated[
-        str | None, _option("The paper used 9.8. [9.80665 m/s^2]", "ACCELERATION", "Motion")
+        str | None, value_option("The paper used 9.8. [9.80665 m/s^2]", "ACCELERATION", "Motion")
     ] = None
     topple_tilt: Annotated[
         str | None,
-        _option("Tilt that counts as toppled. [90 deg; a disk: none]", "ANGLE", "Motion"),
+        value_option("Tilt that counts as toppled. [90 deg; a disk: none]", "ANGLE", "Motion"),
     ] = None
     rtol: Annotated[
-        float | None, _option("Intended relative error. [1e-10]", "NUMBER", "Motion")
+        float | None, value_option("Intended relative error. [1e-10]", "NUMBER", "Motion")
     ] = None
     max_steps: Annotated[
         int | None,
@@ -151,7 +156,7 @@ class _LawOptions:
 
     law: Annotated[
         str | None,
-        _option(
+        value_option(
             f"{', '.join(_LAWS)}. [no-slip; with --friction: coulomb]",
             "LAW",
             "Table",
@@ -160,7 +165,7 @@ class _LawOptions:
     ] = None
     surface: Annotated[
         str | None,
-        _option(
+        value_option(
             "Dry friction, typical values: metal on"
             f" {', '.join(name for name in surfaces.SURFACES if name != 'stone')}; stone on stone.",
             "NAME",
@@ -176,19 +181,19 @@ class ResistanceOptions:
 
     restitution: Annotated[
         str | None,
-        _option(RESTITUTION.help, "NUMBER", "Table"),
+        value_option(RESTITUTION.help, "NUMBER", "Table"),
     ] = None
     rolling_resistance: Annotated[
         str | None,
-        _option("Resisting force over normal force, against rolling.", "NUMBER", "Table"),
+        value_option("Resisting force over normal force, against rolling.", "NUMBER", "Table"),
     ] = None
     rolling_viscous: Annotated[
         str | None,
-        _option("Resisting force over rolling speed, in N s/m.", "NUMBER", "Table"),
+        value_option("Resisting force over rolling speed, in N s/m.", "NUMBER", "Table"),
     ] = None
     pivoting_friction: Annotated[
         str | None,
-        _option(
+        value_option(
             "Resisting moment over normal force, against turning about the vertical.",
             "LENGTH",
             "Table",
@@ -196,7 +201,7 @@ class ResistanceOptions:
     ] = None
     air_drag: Annotated[
         str | None,
-        _option(
+        value_option(
             "Power over (yaw rate)^exponent, in W (s/rad)^exponent, or film: a film of"
             " air under the base.",
             "NUMBER",
@@ -204,7 +209,7 @@ class ResistanceOptions:
         ),
     ] = None
     air_exponent: Annotated[
-        str | None, _option("1.5 to 8; a viscous film has 4. [4]", "NUMBER", "Table")
+        str | None, value_option("1.5 to 8; a viscous film has 4. [4]", "NUMBER", "Table")
     ] = None
 
 
@@ -228,7 +233,7 @@ else:
                 name,
                 Annotated[
                     str | None,
-                    _option(parameter.help, _METAVARS.get(parameter.unit, "NUMBER"), "Table"),
+                    value_option(parameter.help, _METAVARS.get(parameter.unit, "NUMBER"), "Table"),
                 ],
                 None,
             )

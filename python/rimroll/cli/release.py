@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields, replace
-from typing import Annotated, Any
-
-import typer
+from typing import Annotated
 
 from rimroll.cli.contact import option
+from rimroll.cli.options import value_option
 from rimroll.cli.request import Request
 from rimroll.cli.screen import NO_BREAK, unbroken
 from rimroll.errors import RimrollError, typed
@@ -17,10 +16,6 @@ from rimroll.experiment.release import Release
 from rimroll.units import quantity, tilt_angle
 
 Text = str | None
-
-
-def _given(help: str, metavar: str, panel: str) -> Any:
-    return typer.Option(help=help, metavar=metavar, rich_help_panel=panel)
 
 
 NAMES = ", ".join(map(typed, releases.PRESETS))
@@ -34,31 +29,31 @@ class ReleaseOptions:
 
     release: Annotated[
         str,
-        _given(f"{NAMES}; the options below change parts of it.", "NAME", "Release"),
+        value_option(f"{NAMES}; the options below change parts of it.", "NAME", "Release"),
     ] = "flick"
-    tilt: Annotated[Text, _given("Mean tilt.", "ANGLE", "Release")] = None
+    tilt: Annotated[Text, value_option("Mean tilt.", "ANGLE", "Release")] = None
     tilt_spread: Annotated[
-        Text, _given("Standard deviation, like all spreads.", "ANGLE", "Release")
+        Text, value_option("Standard deviation, like all spreads.", "ANGLE", "Release")
     ] = None
     tilt_rate: Annotated[
-        Text, _given("Mean tilt rate; negative: flicked upright.", RATE, "Release")
+        Text, value_option("Mean tilt rate; negative: flicked upright.", RATE, "Release")
     ] = None
-    tilt_rate_spread: Annotated[Text, _given("Its spread.", RATE, "Release")] = None
+    tilt_rate_spread: Annotated[Text, value_option("Its spread.", RATE, "Release")] = None
     sideways: Annotated[
         Text,
-        _given(
+        value_option(
             "Rate about the line of lean: the error of aim times the tilt rate.", RATE, "Release"
         ),
     ] = None
-    sideways_spread: Annotated[Text, _given("Its spread.", RATE, "Release")] = None
-    twist: Annotated[Text, _given("Rate about the vertical.", RATE, "Release")] = None
-    twist_spread: Annotated[Text, _given("Its spread.", RATE, "Release")] = None
+    sideways_spread: Annotated[Text, value_option("Its spread.", RATE, "Release")] = None
+    twist: Annotated[Text, value_option("Rate about the vertical.", RATE, "Release")] = None
+    twist_spread: Annotated[Text, value_option("Its spread.", RATE, "Release")] = None
     friction_scale_spread: Annotated[
         Text,
-        _given("Spread of the friction, relative to it: 0.1 or 10%.", "PART", "Release"),
+        value_option("Spread of the friction, relative to it: 0.1 or 10%.", "PART", "Release"),
     ] = None
     unsteadiness: Annotated[
-        Text, _given("Multiply the spreads of sideways and twist.", "FACTOR", "Release")
+        Text, value_option("Multiply the spreads of sideways and twist.", "FACTOR", "Release")
     ] = None
 
 

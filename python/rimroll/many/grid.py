@@ -8,7 +8,7 @@ here unless a data array is asked for or given.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, TypeGuard
 
@@ -176,11 +176,6 @@ def key(value: Any) -> object:
         # -0.0 equals 0.0
         return np.shape(value), (np.asarray(value, np.float64) + 0.0).tobytes()
     return value
-
-
-def shape_of(values: Iterable[Any]) -> tuple[int, ...]:
-    """The shape that values broadcast to; () when all are single numbers."""
-    return Grid.over({str(i): value for i, value in enumerate(values)}).shape
 
 
 def axis(name: str, values: Any, units: str | None = None) -> xr.DataArray:

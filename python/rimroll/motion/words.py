@@ -1,4 +1,4 @@
-"""What became of a body on a table that moved in words, and the view of a motion in notebooks."""
+"""What became of a body on a moving table, in words; and a motion's view in notebooks."""
 
 from __future__ import annotations
 

@@ -10,24 +10,9 @@ import os
 from pathlib import Path
 
 from rimroll.errors import RimrollError
-from rimroll.scenario.scenario import (
-    AFTER as AFTER,
-)
-from rimroll.scenario.scenario import (
-    FILM as FILM,
-)
-from rimroll.scenario.scenario import (
-    MAX_STEPS as MAX_STEPS,
-)
-from rimroll.scenario.scenario import (
-    RESISTANCES as RESISTANCES,
-)
-from rimroll.scenario.scenario import (
-    Scenario as Scenario,
-)
-from rimroll.scenario.scenario import (
-    presets as presets,
-)
+from rimroll.scenario.scenario import AFTER, FILM, MAX_STEPS, RESISTANCES, Scenario, presets
+
+__all__ = ["AFTER", "FILM", "MAX_STEPS", "RESISTANCES", "Scenario", "load", "presets"]
 
 
 def load(path: str | os.PathLike[str]) -> Scenario:

@@ -154,7 +154,7 @@ def analyze(
     Parameters
     ----------
     record
-        From :func:`rimroll.gyro.read` or :meth:`rimroll.sensors.gyro.Sensor.record`.
+        From :func:`rimroll.gyro.read` or :meth:`rimroll.gyro.Sensor.record`.
     body
         The body with the sensor inside.
     axis
