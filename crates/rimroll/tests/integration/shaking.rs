@@ -321,7 +321,7 @@ fn the_energy_budget_closes_as_a_sliding_base_falls_flat() {
         let body = Body::new(1.0, r, h, 0.25 * r * r + h * h / 3.0, 0.4 * r * r).unwrap();
         let rate = (9.81 / r).sqrt();
         let start = State {
-            tilt: (0.02 + 0.05 * part(2, 15)) * (r / h).atan(),
+            tilt: (0.02 + 0.05 * part(2, 15)) * libm::atan(r / h),
             tilt_rate: -0.05 * rate,
             yaw_rate: 0.3 * rate,
             spin_rate: 0.5 * spin * rate,
