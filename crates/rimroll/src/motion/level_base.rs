@@ -80,6 +80,16 @@ impl<'a> LevelBase<'a> {
         self.field_at(t).1 > self.equations.no_gravity()
     }
 
+    /// The duration of a bounce of a level body that has just left the table, s, if the table's acceleration stays the same.
+    pub(super) fn bounce_time(&self, u: &Coordinates<f64>) -> f64 {
+        let (_, gravity) = self.field_at(u.t);
+        if u.gap_rate > 0.0 && gravity > 0.0 {
+            2.0 * u.gap_rate / gravity
+        } else {
+            f64::INFINITY
+        }
+    }
+
     /// The time at which a body that stands departs, between `begin` and the end of a stretch or `end`; `None` if it
     /// stands throughout.
     pub(super) fn time_of_departure(

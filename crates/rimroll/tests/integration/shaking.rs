@@ -265,6 +265,31 @@ fn the_energy_budget_closes_under_every_law() {
     }
 }
 
+/// A table falls away under a body, at twice the acceleration of a free fall, and then stands still. The bounces of the level
+/// base are a geometric series, whatever their number.
+#[test]
+fn a_level_base_bounces_until_its_bounces_have_vanished() {
+    let (g, falls) = (9.81, 0.05);
+    for restitution in [0.0, 0.2, 0.58, 0.89, 0.97] {
+        let law = ContactLaw {
+            restitution,
+            ..FrictionLaw::coulomb(0.4).into()
+        };
+        let table = constant([0.0, 0.0, -2.0 * g], falls);
+        let motion = shaken(table, &column(), &State::standing(), law, &tight(12.0));
+        let times: Vec<_> = (motion.events.iter())
+            .filter(|event| event.kind.name() == "land")
+            .map(|event| event.at.t)
+            .collect();
+        let speed = 2.0_f64.sqrt() * g * falls;
+        let first = falls * (2.0 + 2.0_f64.sqrt());
+        let last = first + 2.0 * speed / g * restitution / (1.0 - restitution);
+        assert!((times[0] - first).abs() < 1e-12, "{}", times[0]);
+        let end = times[times.len() - 1];
+        assert!((end - last).abs() < 1e-7, "{restitution}: {end} not {last}");
+    }
+}
+
 /// A body that is only just lifted has little energy when resistance lets its base fall flat. The table works on it until
 /// then.
 #[test]

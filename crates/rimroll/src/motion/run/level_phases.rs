@@ -213,7 +213,9 @@ impl Run<'_> {
         let k = self.contacts.parameters();
         let contacts = self.contacts;
         let dual_phases = contacts.dual_phases_from(u.t);
-        let mut h = 1e-3 * (k.r / k.g).sqrt();
+        let longest = 1e-3 * (k.r / k.g).sqrt();
+        // The first landing is sought after a moment in which the base is off the table.
+        let mut h = longest.min(level.bounce_time(&u));
         while u.t < end {
             if let Some(PhaseEnd::Motion(status)) = self.out_of_steps(report) {
                 return ControlFlow::Break(status);
