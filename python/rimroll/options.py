@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, TypedDict, TypeVar
 
 from rimroll import _core
-from rimroll.errors import RimrollError, expect
+from rimroll.errors import RimrollError, expect, nearest
 from rimroll.files.recorded import not_recorded
 from rimroll.units import Number, number, optional, whole_number
 
@@ -85,6 +85,9 @@ class Options:
         chosen = self if options is None else options
         if duration is not None:
             keywords = {**keywords, "duration": duration}
+        known = [field.name for field in fields(self)]
+        for name in keywords.keys() - known:
+            raise TypeError(f"unknown option {name!r}{nearest(name, known)}")
         return replace(chosen, **keywords) if keywords else chosen
 
     @property

@@ -69,7 +69,7 @@ def test_options_in_one_object_are_those_of_the_keywords(function):
     ],
 )
 def test_what_is_no_option_is_refused(call):
-    with pytest.raises(TypeError, match="gravty"):
+    with pytest.raises(TypeError, match="unknown option 'gravty': did you mean 'gravity'"):
         call(gravty=9.8)
     with pytest.raises(rr.RimrollError, match=r"^options must be a rimroll.Options or None, got 1"):
         call(options=1)

@@ -281,6 +281,11 @@ pub trait Dynamics<T: Real> {
         false
     }
 
+    /// The acceleration of the table along e_x1, e_y1 and e_z, m/s².
+    fn table_acceleration(&self, _u: &Coordinates<T>) -> [T; 3] {
+        [T::from(0.0); 3]
+    }
+
     /// Whether slip, gap and losses are constant, so that only the first
     /// [`RIGID_COORDINATES`](crate::state::RIGID_COORDINATES) coordinates change.
     fn is_conservative(&self) -> bool {

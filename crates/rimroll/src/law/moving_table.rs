@@ -286,6 +286,14 @@ impl<T: Scalar, L: Movable<T>> Dynamics<T> for OnTable<L, T> {
         self.table.moves()
     }
 
+    fn table_acceleration(&self, u: &Coordinates<T>) -> [T; 3] {
+        let Acceleration {
+            horizontal: [along, across],
+            vertical,
+        } = self.table.acceleration(u);
+        [along, across, vertical]
+    }
+
     fn is_conservative(&self) -> bool {
         !self.table.moves() && self.dynamics.is_conservative()
     }

@@ -308,6 +308,10 @@ impl<T: Real, L: Dynamics<T>> Dynamics<T> for Resisted<L> {
         self.dynamics.is_shaken()
     }
 
+    fn table_acceleration(&self, u: &Coordinates<T>) -> [T; 3] {
+        self.dynamics.table_acceleration(u)
+    }
+
     fn friction_ratio(&self, u: &Coordinates<T>) -> Option<T> {
         self.dynamics.friction_ratio(u)
     }

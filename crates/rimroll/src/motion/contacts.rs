@@ -1,6 +1,6 @@
 //! The laws of the possible contacts between rim and table, and the transitions between them.
 
-use super::flat_landing::on_first_face;
+use super::flat_landing::{on_first_face, work_in_fall};
 use super::instant::{Instant, Phase};
 use super::level_base::{FLAT_TILT, LevelBase};
 use super::phase_dynamics::PhaseDynamics;
@@ -330,11 +330,15 @@ impl Contacts {
     /// Whether a body at the beginning of its rocking has too little energy to reach the tilt at which the gap closes.
     pub(super) fn stays_below_gap(&self, at: &Instant) -> bool {
         let k = &self.parameters;
-        let height = if at.phase == Phase::Rolling { k.h } else { 0.0 };
+        let rolls = at.phase == Phase::Rolling;
+        let height = if rolls { k.h } else { 0.0 };
         let inertia = k.a + k.m * (k.r * k.r + height * height);
         let sin = self.sine_at_gap();
-        let rise = k.r * sin - k.h * (1.0 - (1.0 - sin * sin).sqrt());
-        0.5 * inertia * at.p * at.p < k.m * k.g * rise
+        let cos = (1.0 - sin * sin).sqrt();
+        let at_gap = Coordinates { sin, cos, ..at.u };
+        let weight = k.m * k.g * (k.z(&at_gap) - k.h);
+        let work = work_in_fall(self.dynamics(at.phase), rolls, &at_gap);
+        0.5 * inertia * at.p * at.p < weight + work
     }
 
     /// Whether resistance has stopped the motion of the contact point along the rim for good, so that the

@@ -150,7 +150,8 @@ fn turned_over<T: Real>(u: &Coordinates<T>, half_turn: f64) -> Coordinates<T> {
     }
 }
 
-/// The body at the end of a fall over the gap below a small tilt, which takes no time and costs no energy.
+/// The body at the end of a fall over the gap below a small tilt, which takes no time and costs no energy. The table that
+/// moves does work in it: the body falls under gravity and the inertial force.
 ///
 /// The tilt as a vector (φ cos ψ, φ sin ψ) has the velocity (φ̇, w) along e_x1 and e_y1. The base comes down in this
 /// direction, so that the contact point is then where the direction points to. As in the limit of a near-collision, the
@@ -206,7 +207,12 @@ pub(super) fn fallen<T: Scalar>(
             ..u
         }
     };
-    let energy = dynamics.energy(at).total() - dynamics.energy(&moving(flat)).total();
+    let work = work_in_fall(dynamics, rolls, at);
+    let flat = Coordinates {
+        ground_work: at.ground_work + work,
+        ..flat
+    };
+    let energy = dynamics.energy(at).total() - dynamics.energy(&moving(flat)).total() + work;
     if energy.value() < 0.0 {
         let square = s * s + T::from(2.0) * energy / (k.c + if rolls { rim } else { zero });
         let slower = square.max(zero).sqrt();
@@ -216,6 +222,19 @@ pub(super) fn fallen<T: Scalar>(
     let inertia = k.a + rim + k.m * height * height;
     let p = -(T::from(2.0) * energy / inertia).sqrt();
     moving(Coordinates { p, ..flat })
+}
+
+/// The work of a moving table, J, on a body that falls over the gap from a small tilt: the inertial force times the way of
+/// the centre of mass.
+pub(super) fn work_in_fall<T: Real>(
+    dynamics: &dyn Dynamics<T>,
+    rolls: bool,
+    at: &Coordinates<T>,
+) -> T {
+    let k = dynamics.parameters();
+    let [along, _, vertical] = dynamics.table_acceleration(at);
+    let away_from_rim = if rolls { k.r - k.rho(at) } else { T::from(0.0) };
+    k.m * (vertical * (k.z(at) - k.h) - along * away_from_rim)
 }
 
 /// The body that begins to rock about the opposite point of the rim, with φ̇ multiplied by a factor.
