@@ -341,6 +341,14 @@ impl Contacts {
         0.5 * inertia * at.p * at.p < weight + work
     }
 
+    /// Whether a body comes down flat beside a vertical plane. Without a gap, rounding errors alone may take it out of its
+    /// plane by a small angle.
+    pub(super) fn is_beside_plane(&self, u: &Coordinates<f64>) -> bool {
+        const ROUNDING: f64 = 0.1;
+        let in_plane = if self.flat_gap() > 0.0 { 0.0 } else { ROUNDING };
+        u.w.abs() > in_plane * u.p.abs()
+    }
+
     /// Whether resistance has stopped the motion of the contact point along the rim for good, so that the
     /// tilt falls to zero and does not rise again.
     ///

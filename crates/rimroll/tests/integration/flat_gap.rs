@@ -476,6 +476,37 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(cases(60))]
+
+    /// A body that is about to pass upright beside its plane, at a tilt that counts as none, keeps its energy, too.
+    #[test]
+    fn a_body_hardly_beside_its_plane_keeps_its_energy(
+        case in any_release(),
+        across in powers_of_ten(-17.0, -10.0),
+        flat in prop_oneof![
+            Just(FlatLanding::Smooth(Side::Left)),
+            Just(FlatLanding::Restitution(1.0)),
+            Just(FlatLanding::Housner),
+        ],
+    ) {
+        let mut case = case.with_gap(0.0);
+        case.options.flat = flat;
+        case.options.duration *= 0.5;
+        case.ground = Some(constant([0.0, across * GRAVITY, 0.0], 2.0 * case.options.duration));
+        let motion = case.motion();
+        let energy = |at: &rimroll::motion::Instant| motion.dynamics(at).energy(at).total();
+        let whole = energy(&motion.trajectory.start());
+        for at in motion.trajectory.samples(2) {
+            let missing = whole - energy(&at) - at.impact_loss + at.ground_work;
+            prop_assert!(missing.abs() < 1e-9 * whole, "{missing:e} of {whole:e} J at {} s", at.t);
+            if flat != FlatLanding::Housner {
+                prop_assert!(at.impact_loss.abs() < 1e-7 * whole, "{:e}", at.impact_loss);
+            }
+        }
+    }
+}
+
 /// The derivatives of tilt, yaw and spin after some landings are those of neighbouring motions.
 #[test]
 fn derivatives_over_a_gap_are_those_of_neighbouring_motions() {

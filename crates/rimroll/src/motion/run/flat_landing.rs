@@ -14,36 +14,33 @@ use crate::solve::Dense;
 use crate::state::{COORDINATES, Coordinates};
 use std::sync::Arc;
 
-/// The body with its base flat, at the end of the fall over the gap. A disk on its other face is turned to its first one.
-pub(super) fn fallen_flat(contacts: &Contacts, at: &Instant) -> Instant {
+/// The body with its base flat, at the end of the fall over the gap, and the side on which it passes upright: the sign of
+/// the yaw's change, or `None` where it falls in a plane within rounding errors. A disk on its other face is turned to
+/// its first one.
+pub(super) fn fallen_flat(contacts: &Contacts, at: &Instant) -> (Instant, Option<f64>) {
     let first = on_first_face(at);
-    let u = if contacts.flat_gap() == 0.0 {
-        first
-    } else {
-        let friction = &contacts.contact_law().friction;
-        let rolls = at.phase == Phase::Rolling;
-        fallen(contacts.dynamics(at.phase), friction, rolls, &first)
-    };
-    Instant { u, ..*at }
+    if first.w == 0.0 && contacts.flat_gap() == 0.0 {
+        return (Instant { u: first, ..*at }, None);
+    }
+    let friction = &contacts.contact_law().friction;
+    let rolls = at.phase == Phase::Rolling;
+    let u = fallen(contacts.dynamics(at.phase), friction, rolls, &first);
+    let side = contacts.is_beside_plane(&first).then_some(first.w.signum());
+    (Instant { u, ..*at }, side)
 }
 
-/// The coordinates after the base of a body at `at`, which is its first face, has come down flat; `None` where the motion
-/// ends. This is the landing number `landing` of the motion.
+/// The coordinates after the base of a body at `at`, which is its first face, has come down flat on a side or in a plane;
+/// `None` where the motion ends. This is the landing number `landing` of the motion.
 pub(super) fn landed(
     contacts: &Arc<Contacts>,
     options: &Options,
-    at: &Instant,
+    (at, side): (&Instant, Option<f64>),
     landing: u64,
 ) -> Option<Coordinates<f64>> {
     match options.flat {
         FlatLanding::Stop => None,
-        FlatLanding::Smooth(side) => {
-            // Over a gap, a motion beside its plane determines the side.
-            let side = if contacts.flat_gap() > 0.0 && at.w != 0.0 {
-                at.w.signum()
-            } else {
-                side.sign(landing)
-            };
+        FlatLanding::Smooth(drawn) => {
+            let side = side.unwrap_or_else(|| drawn.sign(landing));
             smooth(contacts, options, at, side)
         }
         FlatLanding::Housner => Some(after_collision(contacts, at, None)),

@@ -22,7 +22,7 @@ const REPORT_INTERVAL: usize = 256;
 impl Run<'_> {
     /// The motion after the whole base has come down flat at once.
     pub(super) fn land_flat(&mut self, at: &Instant) -> AfterEvent {
-        let fallen = fallen_flat(self.contacts, at);
+        let (fallen, side) = fallen_flat(self.contacts, at);
         // A body that has only just begun to rock lands with rounding errors alone.
         if self.contacts.moves() && self.contacts.hardly_rocks(&fallen) {
             return self.stand(at);
@@ -30,7 +30,7 @@ impl Run<'_> {
         self.detector.add(EventKind::FaceDown, *at);
         let landing = self.landings;
         self.landings += 1;
-        let landed = landed(self.contacts, self.options, &fallen, landing);
+        let landed = landed(self.contacts, self.options, (&fallen, side), landing);
         let Some(u) = landed.filter(|_| !self.contacts.turns_on_other_face(at)) else {
             return AfterEvent::End(Status::FaceDown);
         };

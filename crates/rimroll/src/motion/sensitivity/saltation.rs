@@ -370,15 +370,19 @@ impl Saltation<'_> {
         }
         let at = self.at_event(u, flat_function(contacts, end));
         let first = on_first_face(&at);
-        let u = if contacts.flat_gap() > 0.0 {
-            self.over_gap(&first)
+        let has_gap = contacts.flat_gap() > 0.0;
+        if !has_gap && contacts.is_beside_plane(&values(&first)) {
+            return Err(refused("the base comes down flat beside a plane"));
+        }
+        // Over a gap, a body beside its plane falls and goes on as in it, unless it runs round the rim.
+        let is_smooth = matches!(self.motion.flat, FlatLanding::Smooth(_));
+        let u = if !has_gap || is_smooth && first.w.value == 0.0 {
+            self.in_plane(&first)
         } else {
             first
         };
-        // Over a gap, a body beside its plane falls and goes on as in it, unless it runs round the rim.
-        let is_smooth = matches!(self.motion.flat, FlatLanding::Smooth(_));
-        let u = if contacts.flat_gap() == 0.0 || is_smooth && u.w.value == 0.0 {
-            self.in_plane(&u)
+        let u = if has_gap || u.w.value != 0.0 {
+            self.over_gap(&u)
         } else {
             u
         };
