@@ -23,6 +23,8 @@ pub(super) struct PhaseDynamics<T: Scalar> {
     pub(super) rolling: RollingDynamics<T>,
     pub(super) sliding: SlidingDynamics<T>,
     pub(super) flying: OnTable<Flight<T>, T>,
+    /// What a step may err by.
+    tolerance: f64,
 }
 
 impl<T: Scalar> PhaseDynamics<T> {
@@ -38,6 +40,7 @@ impl<T: Scalar> PhaseDynamics<T> {
             rolling: RollingDynamics::new(friction, k, table, resistance, tolerance),
             sliding: SlidingDynamics::new(friction, k, table, resistance, tolerance),
             flying: OnTable::new(Flight::new(k), table),
+            tolerance,
         }
     }
 
@@ -68,7 +71,7 @@ impl<T: Scalar> PhaseDynamics<T> {
             PhaseSystem::new(dynamics, variable)
         };
         if self.flying.moves() {
-            phase_system.on_moving_table()
+            phase_system.on_moving_table(self.tolerance)
         } else {
             phase_system
         }

@@ -24,6 +24,8 @@ pub(super) struct PhaseSystem<'a, T = f64, L: ?Sized = dyn Dynamics<T> + 'a> {
     variable: IndependentVariable,
     /// Added to the error scales of the rates of rotation, rad/s.
     rate_floor: T,
+    /// The least error scale of the direction of a dry slip, rad.
+    direction_floor: T,
     /// Added to the error scales of the work and the losses, J.
     energy_floor: T,
 }
@@ -36,6 +38,7 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> PhaseSystem<'a, T, L> {
             dry: false,
             variable,
             rate_floor: T::from(0.0),
+            direction_floor: T::from(0.0),
             energy_floor: T::from(0.0),
         }
     }
@@ -51,13 +54,14 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> PhaseSystem<'a, T, L> {
 
     /// The system on a table that moves, whose acceleration has rounding errors. They change the rates of rotation by
     /// more than a tolerance relative to the rates themselves, where these are tiny: as a body begins to rock, and in
-    /// planar motions. They do the same to a slip across the plane of such a motion. (A dry slip has no such floor: it
-    /// would not stop with errors as large as itself, and friction holds its direction.) The rounding errors of the work
-    /// so far are large beside the energy of a body that begins to rock again.
-    pub(super) fn on_moving_table(self) -> Self {
+    /// planar motions. They do the same to a slip across the plane of such a motion. (Under dry friction they change the
+    /// direction of the slip. The floor is relative to the slip there, because a slip with errors as large as itself would
+    /// not stop.) The rounding errors of the work so far are large beside the energy of a body that begins to rock again.
+    pub(super) fn on_moving_table(self, tolerance: f64) -> Self {
         let k = self.dynamics.parameters();
         PhaseSystem {
             rate_floor: rate_floor(k),
+            direction_floor: T::from(ROUNDING / tolerance),
             energy_floor: T::from(FLOOR) * k.m * k.g * k.r,
             ..self
         }
@@ -84,10 +88,20 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> PhaseSystem<'a, T, L> {
         rates.map(|rate| factor * rate)
     }
 
+    /// The error scales while a slip begins under dry friction.
+    pub(super) fn scales_at_slip_onset(&self, u: &Coordinates<T>) -> Coordinates<T> {
+        let scales = self.error_scale.scales_at_slip_onset(u);
+        self.with_direction_floor(Coordinates {
+            w: scales.w.max(self.rate_floor),
+            s: scales.s.max(self.rate_floor),
+            ..scales
+        })
+    }
+
     #[inline(always)]
     fn scales(&self, u: &Coordinates<T>) -> Coordinates<T> {
         let scales = if self.dry {
-            self.error_scale.scales_in_dry_slip(u)
+            self.with_direction_floor(self.error_scale.scales_in_dry_slip(u))
         } else if cfg!(feature = "ground") {
             let scales = self.error_scale.scales(u);
             let slip_floor = self.error_scale.radius * self.rate_floor;
@@ -107,6 +121,15 @@ impl<'a, T: Real, L: Dynamics<T> + ?Sized> PhaseSystem<'a, T, L> {
             resistance_loss: scales.resistance_loss + self.energy_floor,
             impact_loss: scales.impact_loss + self.energy_floor,
             ground_work: scales.ground_work + self.energy_floor,
+            ..scales
+        }
+    }
+
+    /// These error scales of a dry slip with the floor of its direction.
+    #[inline(always)]
+    fn with_direction_floor(&self, scales: Coordinates<T>) -> Coordinates<T> {
+        Coordinates {
+            slip_y: scales.slip_y.max(self.direction_floor * scales.slip_x),
             ..scales
         }
     }
@@ -164,6 +187,9 @@ impl<T: Real, L: Dynamics<T> + ?Sized> System<T, RIGID_COORDINATES> for PhaseSys
 
 /// The floors of error scales on a table that moves, relative to natural units.
 const FLOOR: f64 = 1e-3;
+
+/// The error of a step in the direction of a dry slip on a table that moves (rad) that is due to rounding.
+const ROUNDING: f64 = 1e-14;
 
 /// What is added to the error scales of the rates of rotation on a table that moves, rad/s.
 pub(super) fn rate_floor<T: Real>(k: &Parameters<T>) -> T {

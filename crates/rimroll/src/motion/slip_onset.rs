@@ -298,7 +298,7 @@ impl PolarSystem<'_> {
 
     fn scales(&self, points: &[Polar; POINTS]) -> Scales {
         let end = self.cartesian(&points[POINTS - 1]);
-        let scales = self.phase_system.error_scale.scales_at_slip_onset(&end);
+        let scales = self.phase_system.scales_at_slip_onset(&end);
         Scales {
             speed: scales.slip_x,
             turn: direction_scale(&scales, self.direction, points[POINTS - 1].speed),
