@@ -54,7 +54,7 @@ struct Iterate<const N: usize> {
     /// start + ∫ rates − states.
     residual: States<N>,
     correction: States<N>,
-    /// The largest number in the correction.
+    /// The largest number in the correction that is no rounding error.
     change: f64,
 }
 
@@ -104,7 +104,10 @@ impl<'a, S: System<f64, N>, D: System<Dual, N>, const N: usize> Implicit<'a, S, 
         const SLOW: f64 = 0.3;
         const MIN_FRACTION: f64 = 0.05;
         let scales = self.system.scale(&self.start);
-        let mut newton = Newton::new(self.method, &[self.jacobian; POINTS], scales, h)?;
+        // An integral can be so much larger than its error scale that its rounding errors are, too.
+        let rounding = self.start.map(|value| 4.0 * f64::EPSILON * value.abs());
+        let sizes = Sizes { scales, rounding };
+        let mut newton = Newton::new(self.method, &[self.jacobian; POINTS], sizes, h)?;
         let mut at = self.iterate(&newton, [self.start; POINTS], h);
         // Whether the Jacobians are those at the points, and which fraction of a correction is made.
         let (mut exact, mut fraction) = (false, 1.0);
@@ -134,7 +137,7 @@ impl<'a, S: System<f64, N>, D: System<Dual, N>, const N: usize> Implicit<'a, S, 
                 }
             } else {
                 let jacobians = at.states.map(|state| self.jacobian(&state));
-                newton = Newton::new(self.method, &jacobians, scales, h)?;
+                newton = Newton::new(self.method, &jacobians, sizes, h)?;
                 (at.correction, at.change) = newton.solved(&at.residual);
                 exact = true;
             }
@@ -156,7 +159,7 @@ impl<'a, S: System<f64, N>, D: System<Dual, N>, const N: usize> Implicit<'a, S, 
             core::array::from_fn(|i| {
                 let weights = &self.method.integral[k];
                 let sum: f64 = (0..POINTS).map(|j| weights[j] * rates[j][i]).sum();
-                (self.start[i] - states[k][i] + h * sum) / newton.scales[i]
+                (self.start[i] - states[k][i] + h * sum) / newton.sizes.scales[i]
             })
         });
         let (correction, change) = newton.solved(&residual);
@@ -235,9 +238,16 @@ fn active<const N: usize>(jacobians: &[Jacobian<N>]) -> Vec<usize> {
     (0..N).filter(matters).collect()
 }
 
+/// The error scales of the components and their rounding errors.
+#[derive(Clone, Copy)]
+struct Sizes<const N: usize> {
+    scales: [f64; N],
+    rounding: [f64; N],
+}
+
 /// The linear equations of Newton's method, 1 − h (integral ⊗ Jacobian), in factors.
 struct Newton<const N: usize> {
-    scales: [f64; N],
+    sizes: Sizes<N>,
     /// The components that have equations.
     active: Vec<usize>,
     rows: Vec<Vec<f64>>,
@@ -249,9 +259,10 @@ impl<const N: usize> Newton<N> {
     fn new(
         method: &Collocation,
         jacobians: &[Jacobian<N>; POINTS],
-        scales: [f64; N],
+        sizes: Sizes<N>,
         h: f64,
     ) -> Option<Self> {
+        let scales = sizes.scales;
         let active = active(jacobians);
         let n = active.len();
         let size = n * POINTS;
@@ -265,7 +276,7 @@ impl<const N: usize> Newton<N> {
             .map(|row| (0..size).map(|column| entry(row, column)).collect())
             .collect();
         let mut newton = Newton {
-            scales,
+            sizes,
             rows,
             order: (0..size).collect(),
             active,
@@ -299,7 +310,7 @@ impl<const N: usize> Newton<N> {
         true
     }
 
-    /// The correction for a residual, and the largest number in it.
+    /// The correction for a residual, and the largest number in it that is no rounding error.
     fn solved(&self, residual: &States<N>) -> (States<N>, f64) {
         let n = self.active.len();
         let size = self.rows.len();
@@ -317,11 +328,17 @@ impl<const N: usize> Newton<N> {
         for (row, &by) in x.iter().enumerate() {
             correction[row / n][self.active[row % n]] = by;
         }
-        let sizes = correction
-            .iter()
-            .flatten()
-            .map(|by| if by.is_nan() { f64::INFINITY } else { by.abs() });
-        let change = sizes.fold(0.0, f64::max);
+        let Sizes { scales, rounding } = self.sizes;
+        let mut change: f64 = 0.0;
+        for point in &correction {
+            for ((by, scale), rounding) in point.iter().zip(&scales).zip(&rounding) {
+                change = match by.abs() {
+                    size if size.is_nan() => f64::INFINITY,
+                    size if size * scale <= *rounding => change,
+                    size => change.max(size),
+                };
+            }
+        }
         (correction, change)
     }
 
@@ -329,7 +346,7 @@ impl<const N: usize> Newton<N> {
     fn corrected(&self, at: &Iterate<N>, fraction: f64) -> States<N> {
         core::array::from_fn(|k| {
             core::array::from_fn(|i| {
-                at.states[k][i] + fraction * at.correction[k][i] * self.scales[i]
+                at.states[k][i] + fraction * at.correction[k][i] * self.sizes.scales[i]
             })
         })
     }
@@ -350,6 +367,20 @@ mod tests {
 
         fn scale(&self, _: &[T; 2]) -> [T; 2] {
             [T::from(1.0); 2]
+        }
+    }
+
+    /// The same with the integral of y, which may be far larger than its error scale.
+    struct Accounted;
+
+    impl<T: Real> System<T, 3> for Accounted {
+        fn rates(&self, u: &[T; 3]) -> [T; 3] {
+            let [x, y] = Follower.rates(&[u[0], u[1]]);
+            [x, y, u[1]]
+        }
+
+        fn scale(&self, _: &[T; 3]) -> [T; 3] {
+            [T::from(1.0); 3]
         }
     }
 
@@ -389,5 +420,18 @@ mod tests {
         let exact = libm::exp(-0.3);
         assert!((step.dense.end[1] - exact).abs() < 1e-13);
         assert!((step.dense.end[0] - exact / (1.0 - 1e-6)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn rounding_of_a_large_integral_does_not_keep_a_step_from_settling() {
+        let exact = 1.0 - libm::exp(-0.3);
+        for before in [0.0, 1e3, 1e8, 1e13] {
+            let start = [1.0 / (1.0 - 1e-6), 1.0, before];
+            let mut implicit = Implicit::new(&Accounted, &Accounted, start, 1e-10);
+            let step = implicit.attempt(0.3).expect("it settles");
+            assert!(step.error < 1.0);
+            let off = (step.dense.end[2] - before - exact).abs();
+            assert!(off < 1e-12 + 4.0 * f64::EPSILON * before, "{off:e}");
+        }
     }
 }
