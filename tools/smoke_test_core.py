@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[1]
 def turn() -> float:
     """The first turn of the README's example, in degrees."""
     names = ("mass", "radius", "height", "transverse_inertia", "axial_inertia")
-    can = SimpleNamespace(**dict(zip(names, _core.preset_can_2007(), strict=True)))
+    can = SimpleNamespace(**dict(zip(names, _core.preset("can_2007", ()), strict=True)))
     start = SimpleNamespace(
         tilt=math.pi / 6, tilt_rate=-0.5, yaw=0.0, yaw_rate=0.005, spin=0.0, spin_rate=0.005
     )

@@ -90,47 +90,8 @@ pub fn filling(density: f64, radius: f64, depth: f64, base: f64) -> PyResult<Sol
     solid_numbers(Solid::filling(density, radius, depth, base))
 }
 
+/// The preset of a name, with its sizes in order.
 #[pyfunction]
-pub fn preset_can_2007() -> PyResult<BodyNumbers> {
-    body_numbers(presets::can_2007())
-}
-
-#[pyfunction]
-pub fn preset_soda_can(fill: f64) -> PyResult<BodyNumbers> {
-    body_numbers(presets::soda_can(fill))
-}
-
-#[pyfunction]
-pub fn preset_beer_bottle(fill: f64) -> PyResult<BodyNumbers> {
-    body_numbers(presets::beer_bottle(fill))
-}
-
-#[pyfunction]
-pub fn preset_coin() -> PyResult<BodyNumbers> {
-    body_numbers(presets::coin())
-}
-
-#[pyfunction]
-pub fn preset_battery() -> PyResult<BodyNumbers> {
-    body_numbers(presets::battery())
-}
-
-#[pyfunction]
-pub fn preset_ring(radius: f64) -> PyResult<BodyNumbers> {
-    body_numbers(presets::ring(radius))
-}
-
-#[pyfunction]
-pub fn preset_disk(radius: f64) -> PyResult<BodyNumbers> {
-    body_numbers(presets::disk(radius))
-}
-
-#[pyfunction]
-pub fn preset_euler_disk() -> PyResult<BodyNumbers> {
-    body_numbers(presets::euler_disk())
-}
-
-#[pyfunction]
-pub fn preset_cylinder(radius: f64, length: f64) -> PyResult<BodyNumbers> {
-    body_numbers(presets::cylinder(radius, length))
+pub fn preset(name: &str, sizes: Vec<f64>) -> PyResult<BodyNumbers> {
+    body_numbers(presets::named(name, &sizes))
 }

@@ -25,8 +25,7 @@ mod _core {
     #[pymodule_export]
     use crate::bodies::{
         body_from_solids, check_body, check_solid, cylinder, disk, filling, first_bad_body,
-        hollow_cylinder, preset_battery, preset_beer_bottle, preset_can_2007, preset_coin,
-        preset_cylinder, preset_disk, preset_euler_disk, preset_ring, preset_soda_can, ring, wall,
+        hollow_cylinder, preset, ring, wall,
     };
     #[pymodule_export]
     use crate::ensemble::{ensemble, first_refused};

@@ -4,39 +4,18 @@ use crate::arguments::{Arguments, SHAPES, named};
 use crate::exchange::{answer, name, unless_refused};
 use rimroll::{Body, InvalidInput, presets as ready};
 
-/// The presets; the page refers to them by index.
-const PRESETS: [&str; 7] = [
-    "can_2007",
-    "soda_can",
-    "beer_bottle",
-    "coin",
-    "ring",
-    "battery",
-    "euler_disk",
-];
-
-/// The numbers of the preset at an index of [`PRESETS`]. Its argument is the filled fraction or the radius of
-/// presets that have one.
+/// The numbers of the preset at an index of [`NAMES`](ready::NAMES). Its argument is the filled fraction or the
+/// radius of presets that have one.
 #[unsafe(no_mangle)]
 pub extern "C" fn preset(place: f64) -> bool {
-    let argument = Arguments::new().number();
-    tell(
-        named("preset", place, &PRESETS).and_then(|preset| match preset {
-            "can_2007" => ready::can_2007(),
-            "soda_can" => ready::soda_can(argument),
-            "beer_bottle" => ready::beer_bottle(argument),
-            "coin" => ready::coin(),
-            "ring" => ready::ring(argument),
-            "battery" => ready::battery(),
-            _ => ready::euler_disk(),
-        }),
-    )
+    let sizes = Arguments::new().rest();
+    tell(named("preset", place, ready::NAMES).and_then(|preset| ready::named(preset, &sizes)))
 }
 
 /// The names of the presets.
 #[unsafe(no_mangle)]
 pub extern "C" fn presets() {
-    name(PRESETS);
+    name(ready::NAMES.iter().copied());
 }
 
 /// The names of the shapes of which bodies are composed.

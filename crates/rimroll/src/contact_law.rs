@@ -1,9 +1,7 @@
 //! The contact law that a user chooses: friction, restitution and resistance.
 
-use crate::error::{InvalidInput, bounded, not_negative};
-use crate::law::{
-    AirDrag, FrictionLaw, NamedParameters, PivotingFriction, Resistance, RollingResistance,
-};
+use crate::error::{InvalidInput, bounded};
+use crate::law::{FrictionLaw, NamedParameters, Resistance};
 
 /// Everything about the table that a motion depends on.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,9 +29,9 @@ impl<F: Into<FrictionLaw>> From<F> for ContactLaw {
 impl ContactLaw {
     /// A contact law from the name of its friction law and its parameters by name, as users write them:
     /// those of the friction law (its [`FrictionModel::from_named`](crate::law::FrictionModel::from_named)),
-    /// `restitution`, `rolling_dry`, `rolling_viscous`, `pivoting_length`, `air_coefficient`,
-    /// `air_exponent`. Missing numbers are 0, except the air exponent, which has the default of
-    /// [`AirDrag`].
+    /// `restitution`, and those of [`Resistance`]: `rolling_dry`, `rolling_viscous`, `pivoting_length`,
+    /// `air_coefficient`, `air_exponent`. Missing numbers are 0, except the air exponent, which has the default
+    /// of [`AirDrag`](crate::law::AirDrag).
     ///
     /// # Errors
     /// Refuses an unknown name, and parameters that are out of bounds.
@@ -43,26 +41,10 @@ impl ContactLaw {
         tables: &[(String, Vec<f64>)],
     ) -> Result<ContactLaw, InvalidInput> {
         let given = NamedParameters { numbers, tables };
-        let number = |name: &str| given.number(name);
-        let friction = FrictionLaw::named(law, &given)?;
         let contact_law = ContactLaw {
-            friction,
-            restitution: number("restitution"),
-            resistance: Resistance {
-                rolling: RollingResistance {
-                    dry: number("rolling_dry"),
-                    viscous: number("rolling_viscous"),
-                },
-                pivoting: PivotingFriction {
-                    length: number("pivoting_length"),
-                },
-                air: AirDrag {
-                    coefficient: number("air_coefficient"),
-                    exponent: given
-                        .optional("air_exponent")
-                        .unwrap_or(AirDrag::default().exponent),
-                },
-            },
+            friction: FrictionLaw::named(law, &given)?,
+            restitution: given.number("restitution"),
+            resistance: Resistance::from_named(&given),
         };
         contact_law.check()?;
         Ok(contact_law)
@@ -78,24 +60,7 @@ impl ContactLaw {
         self.friction.check()?;
         let unit = |e: f64| (0.0..=1.0).contains(&e);
         bounded("restitution", self.restitution, unit, "between 0 and 1", "")?;
-        let Resistance {
-            rolling,
-            pivoting,
-            air,
-        } = self.resistance;
-        not_negative("rolling_resistance dry", rolling.dry, "")?;
-        not_negative("rolling_resistance viscous", rolling.viscous, "N s/m")?;
-        not_negative("pivoting_friction", pivoting.length, "m")?;
-        not_negative("air_drag", air.coefficient, "W (s/rad)^exponent")?;
-        let moderate = |n: f64| (1.5..=8.0).contains(&n);
-        bounded(
-            "air_drag exponent",
-            air.exponent,
-            moderate,
-            "between 1.5 and 8",
-            "",
-        )?;
-        Ok(())
+        self.resistance.check()
     }
 
     /// This contact law with all coefficients of friction multiplied by `factor`.

@@ -7,6 +7,47 @@ use crate::body::Body;
 use crate::error::{InvalidInput, bounded, positive};
 use crate::solids::Solid;
 
+/// Defines [`NAMES`] and [`named`] for a list of presets with their sizes.
+macro_rules! presets {
+    ($($preset:ident($($size:ident),*),)*) => {
+        /// The names of the presets.
+        pub const NAMES: &[&str] = &[$(stringify!($preset),)*];
+
+        /// The preset of a name, with its sizes in the order of its function's arguments. A size that is
+        /// missing counts as NaN.
+        ///
+        /// # Errors
+        /// Refuses an unknown name, and sizes as the function of the preset does.
+        pub fn named(name: &str, sizes: &[f64]) -> Result<Body, InvalidInput> {
+            #[allow(unused_mut, unused_variables)]
+            match name {
+                $(stringify!($preset) => {
+                    let mut sizes = sizes.iter().copied();
+                    $(let $size = sizes.next().unwrap_or(f64::NAN);)*
+                    $preset($($size),*)
+                })*
+                _ => Err(InvalidInput::UnknownName {
+                    what: "preset",
+                    name: name.to_owned(),
+                    choices: NAMES.join(", "),
+                }),
+            }
+        }
+    };
+}
+
+presets! {
+    can_2007(),
+    soda_can(fill),
+    beer_bottle(fill),
+    coin(),
+    battery(),
+    ring(radius),
+    disk(radius),
+    cylinder(radius, length),
+    euler_disk(),
+}
+
 /// Density of aluminium, kg/m³.
 const ALUMINIUM: f64 = 2700.0;
 /// Density of soda-lime glass, kg/m³.

@@ -25,7 +25,7 @@ def can_2007() -> Body:
     simulation figure, which no can inside its own rim can have (C/m ≤ R² = 2.6e-3 m²); a wall with
     two disks of that size has 1.3e-3 to 2.2e-3. No limiting angle depends on C.
     """
-    return Body(*_core.preset_can_2007())
+    return _preset("can_2007")
 
 
 def soda_can(fill: Number = 0.0) -> Body:
@@ -37,7 +37,7 @@ def soda_can(fill: Number = 0.0) -> Body:
     :func:`rimroll.balance_tilt` for the balance of the liquid.
     """
     part = _part(fill)
-    return _filled(Body(*_core.preset_soda_can(part)), 0.033, 0.097 * part, 0.005, 0.110)
+    return _filled(_preset("soda_can", part), 0.033, 0.097 * part, 0.005, 0.110)
 
 
 def beer_bottle(fill: Number = 0.0) -> Body:
@@ -49,7 +49,7 @@ def beer_bottle(fill: Number = 0.0) -> Body:
     :func:`rimroll.balance_tilt` for the balance of the liquid, which stays below the shoulder.
     """
     part = _part(fill)
-    return _filled(Body(*_core.preset_beer_bottle(part)), 0.0283, 0.124 * part, 0.006, 0.124)
+    return _filled(_preset("beer_bottle", part), 0.0283, 0.124 * part, 0.006, 0.124)
 
 
 def coin() -> Body:
@@ -57,7 +57,7 @@ def coin() -> Body:
 
     Source: European Central Bank, technical specifications of the euro coins.
     """
-    return Body(*_core.preset_coin())
+    return _preset("coin")
 
 
 def battery() -> Body:
@@ -65,17 +65,17 @@ def battery() -> Body:
 
     Source: the largest size that IEC 60086-2 allows for LR6; the mass is typical of alkaline cells.
     """
-    return Body(*_core.preset_battery())
+    return _preset("battery")
 
 
 def ring(radius: Number = 0.3) -> Body:
     """A thin ring of mass 1 kg, such as the rim of a bicycle wheel: H = 0, C = mR², A = C/2."""
-    return Body(*_core.preset_ring(number("radius", radius, "m")))
+    return _preset("ring", number("radius", radius, "m"))
 
 
 def disk(radius: Number) -> Body:
     """A uniform thin disk of mass 1 kg: H = 0, C = mR²/2, A = C/2. No turn depends on its mass."""
-    return Body(*_core.preset_disk(number("radius", radius, "m")))
+    return _preset("disk", number("radius", radius, "m"))
 
 
 def euler_disk() -> Body:
@@ -84,7 +84,7 @@ def euler_disk() -> Body:
     Derived from these sizes and 7850 kg/m³; it stands on the rim of one face, H = 6.35 mm. For the
     paper's ideal disk, H = 0, use :func:`disk`.
     """
-    return Body(*_core.preset_euler_disk())
+    return _preset("euler_disk")
 
 
 def cylinder(
@@ -96,7 +96,7 @@ def cylinder(
     Granite, limestone and marble have some 2700 kg/m³.
     """
     radius, length = number("radius", radius, "m"), number("length", length, "m")
-    body = Body(*_core.preset_cylinder(radius, length))
+    body = _preset("cylinder", radius, length)
     if mass is None and density is None:
         return body
     if mass is not None and density is not None:
@@ -107,6 +107,11 @@ def cylinder(
         factor = positive("mass", mass, "kg") / body.mass
     numbers = (factor * body.mass, radius, body.height)
     return Body(*numbers, factor * body.transverse_inertia, factor * body.axial_inertia)
+
+
+def _preset(name: str, *sizes: float) -> Body:
+    """The body of the core's preset of that name."""
+    return Body(*_core.preset(name, sizes))
 
 
 def _filled(body: Body, radius: float, depth: float, base: float, length: float) -> Body:

@@ -21,7 +21,8 @@
 //! about the vertical or, for rolling, θ̇ sin φ, the one about e_x1, the horizontal direction in the
 //! plane of the tilt; x₀ = √(g/R)/1000.
 
-use super::{Contact, Dynamics, Parameters, Response};
+use super::{Contact, Dynamics, NamedParameters, Parameters, Response};
+use crate::error::{InvalidInput, bounded, not_negative};
 use crate::real::Real;
 use crate::state::Coordinates;
 
@@ -75,6 +76,47 @@ pub struct Resistance {
 }
 
 impl Resistance {
+    /// The resistance of numbers by name, such as `rolling_dry`. Missing ones have their default.
+    pub(crate) fn from_named(given: &NamedParameters<'_>) -> Self {
+        Resistance {
+            rolling: RollingResistance {
+                dry: given.number("rolling_dry"),
+                viscous: given.number("rolling_viscous"),
+            },
+            pivoting: PivotingFriction {
+                length: given.number("pivoting_length"),
+            },
+            air: AirDrag {
+                coefficient: given.number("air_coefficient"),
+                exponent: given
+                    .optional("air_exponent")
+                    .unwrap_or(AirDrag::default().exponent),
+            },
+        }
+    }
+
+    /// Checks every number.
+    pub(crate) fn check(&self) -> Result<(), InvalidInput> {
+        let Resistance {
+            rolling,
+            pivoting,
+            air,
+        } = self;
+        not_negative("rolling_resistance dry", rolling.dry, "")?;
+        not_negative("rolling_resistance viscous", rolling.viscous, "N s/m")?;
+        not_negative("pivoting_friction", pivoting.length, "m")?;
+        not_negative("air_drag", air.coefficient, "W (s/rad)^exponent")?;
+        let moderate = |n: f64| (1.5..=8.0).contains(&n);
+        bounded(
+            "air_drag exponent",
+            air.exponent,
+            moderate,
+            "between 1.5 and 8",
+            "",
+        )?;
+        Ok(())
+    }
+
     /// Whether all resistances are zero.
     pub fn is_none(&self) -> bool {
         let none = Resistance::default();

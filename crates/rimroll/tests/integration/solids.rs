@@ -199,6 +199,26 @@ fn presets_have_the_masses_that_they_claim() {
     }
 }
 
+#[test]
+fn a_preset_has_a_name_and_takes_its_sizes_in_order() {
+    let sizes = [0.4, 0.1];
+    for &name in presets::NAMES {
+        assert!(presets::named(name, &sizes).is_ok(), "{name}");
+    }
+    let pairs = [
+        ("coin", presets::coin()),
+        ("soda_can", presets::soda_can(0.4)),
+        ("ring", presets::ring(0.4)),
+        ("cylinder", presets::cylinder(0.4, 0.1)),
+    ];
+    for (name, body) in pairs {
+        assert_eq!(presets::named(name, &sizes).unwrap(), body.unwrap());
+    }
+    for (name, sizes) in [("teapot", &sizes[..]), ("ring", &[]), ("cylinder", &[0.1])] {
+        assert!(presets::named(name, sizes).is_err(), "{name} {sizes:?}");
+    }
+}
+
 /// A can with a little drink left in it stands steadiest.
 #[test]
 fn a_can_is_lowest_with_a_little_left_in_it() {
