@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, hold
-from rimroll.shaking import jackknife
+from rimroll.shaking.probit import jackknife_interval
 from rimroll.units import Values, numbers
 
 Array = NDArray[np.float64]
@@ -81,5 +81,5 @@ class LognormalCurve:
         median, dispersion = self.without.T.reshape(2, -1, *[1] * given.ndim)
         z = np.log(given / self.median) / self.dispersion
         others = np.log(given / median) / dispersion
-        low, high = jackknife.interval(z, others, self.level)
+        low, high = jackknife_interval(z, others, self.level)
         return np.asarray(ndtr(low)), np.asarray(ndtr(high))

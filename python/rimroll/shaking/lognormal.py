@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, hold
 from rimroll.many.grid import is_labelled
-from rimroll.shaking import jackknife
 from rimroll.shaking.curve import Array, Counts, Interval, LognormalCurve
-from rimroll.shaking.likelihood import Likelihood
+from rimroll.shaking.probit import Likelihood, jackknife_interval, left_out
 from rimroll.units import Number, Values, number, numbers
 
 if TYPE_CHECKING:
@@ -188,7 +187,7 @@ def fragility(
     shared = records is not None and (np.bincount(record, of) > 1.0).any()
     without = None
     if shared:
-        without = jackknife.left_out(record, count, likelihood.x, of, (intercept, slope))
+        without = left_out(record, count, likelihood.x, of, (intercept, slope))
         medians, dispersions = _over_records((theta, beta), without, confidence)
     else:
         medians, dispersions = _profiles(likelihood, (theta, beta), best, confidence)
@@ -232,7 +231,7 @@ def _over_records(
         return (-math.inf, math.inf), (0.0, math.inf)
     intercept, slope = without.T
     values = np.stack([-intercept / slope, -np.log(slope)], axis=1)
-    low, high = jackknife.interval(np.array([at[0], math.log(at[1])]), values, level)
+    low, high = jackknife_interval(np.array([at[0], math.log(at[1])]), values, level)
     return (float(low[0]), float(high[0])), (_exp(float(low[1])), _exp(float(high[1])))
 
 
