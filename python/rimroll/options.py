@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypedDict, TypeVar
 from rimroll import _core
 from rimroll.errors import RimrollError, expect, nearest
 from rimroll.files.recorded import not_recorded
-from rimroll.units import Number, number, optional, whole_number
+from rimroll.units import Number, Quantity, convert_fields, number, quantities_of, whole_number
 
 if TYPE_CHECKING:
     from typing import Unpack
@@ -51,31 +51,30 @@ class Options:
     Raises ``RimrollError`` for what is no number, or in a unit of another kind.
     """
 
-    duration: float = 2.0
-    gravity: float = _core.STANDARD_GRAVITY
-    rtol: float = 1e-10
-    topple_tilt: float | None = None
+    duration: float = Quantity("s", "Duration of the motion. [2 s]").field(2.0)
+    gravity: float = Quantity("m/s^2", "The paper used 9.8. [9.80665 m/s^2]").field(
+        _core.STANDARD_GRAVITY
+    )
+    rtol: float = Quantity("1", "Intended relative error. [1e-10]").field(1e-10)
+    topple_tilt: float | None = Quantity(
+        "rad", "Tilt that counts as toppled. [90 deg; a disk: none]", hint="tilt"
+    ).field(None)
     max_steps: int = 1_000_000
     flat: FlatLanding | None = None
     """None: ``housner`` on a table that moves, else ``stop``."""
-    flat_gap: float = 0.0
+    flat_gap: float = Quantity(
+        "m", "The base comes down flat also where its far side is this far above the table. [0]"
+    ).field(0.0)
 
     if TYPE_CHECKING:
 
         def __init__(self, duration: Number = 2.0, **keywords: Unpack[Keywords]) -> None: ...
 
     def __post_init__(self) -> None:
-        read: dict[str, object] = {
-            "duration": number("duration", self.duration, "s"),
-            "gravity": number("gravity", self.gravity, "m/s^2"),
-            "rtol": number("rtol", self.rtol),
-            "topple_tilt": optional("topple_tilt", self.topple_tilt, "rad"),
-            "max_steps": whole_number("max_steps", self.max_steps),
-            "flat_gap": number("flat_gap", self.flat_gap, "m"),
-        }
+        convert_fields(self, quantities_of(Options), number)
+        vars(self)["max_steps"] = whole_number("max_steps", self.max_steps)
         if self.flat is not None:
-            read["flat"] = flat_given(self.flat)
-        vars(self).update(read)
+            vars(self)["flat"] = flat_given(self.flat)
 
     def changed(
         self, options: Options | None, duration: Number | None, keywords: Mapping[str, Any]

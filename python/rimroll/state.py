@@ -12,10 +12,29 @@ from numpy.typing import NDArray
 from rimroll.errors import RimrollError, hold
 from rimroll.files.recorded import expect_dataset, not_recorded
 from rimroll.many.grid import Grid, is_labelled
-from rimroll.units import START_UNIT_OF, Values, in_degrees_hint, number, numbers, positive, values
+from rimroll.units import (
+    Quantity,
+    Values,
+    in_degrees_hint,
+    number,
+    numbers,
+    positive,
+    table_of,
+    values,
+)
 
 Array = NDArray[np.float64]
 Numbers = float | Array
+
+START_NUMBERS = table_of(
+    tilt=Quantity("rad", "Tilt at the start; 0 is upright, base flat.", hint="tilt"),
+    tilt_rate=Quantity("rad/s", "Negative while falling toward upright. [0]"),
+    yaw=Quantity("rad", "Where the tilt lifts the base: 0 is x, 90deg y. [0]"),
+    yaw_rate=Quantity("rad/s", "How fast the contact point goes round. [0]"),
+    spin=Quantity("rad"),
+    spin_rate=Quantity("rad/s", "About the symmetry axis. [0]"),
+)
+"""The numbers of a start."""
 
 KNOCKED_TILT = 1e-15
 """The tilt at which a body that stood begins to rock, rad, in the core, too."""
@@ -195,7 +214,7 @@ def start_of(dataset: xr.Dataset) -> State:
         if (key := f"start_{field.name}") not in dataset and key not in dataset.attrs:
             raise not_recorded("start", key)
         value = dataset[key] if key in dataset else dataset.attrs[key]
-        given[field.name] = numbers(key, value, START_UNIT_OF[field.name])
+        given[field.name] = numbers(key, value, START_NUMBERS[field.name].unit)
     if not given["tilt"].ndim and given["tilt"] == 0.0:
         return _standing(given)
     return State(**given)
@@ -236,9 +255,9 @@ def _hint(tilt: float) -> str:
 
 def _finite(field: str, value: object) -> Any:
     if is_labelled(value) and value.ndim:
-        given = values(field, value, START_UNIT_OF[field])
+        given = values(field, value, START_NUMBERS[field].unit)
         hold(field, given.values, np.isfinite(given.values), "finite")
         return given
-    array = numbers(field, value, START_UNIT_OF[field])
+    array = numbers(field, value, START_NUMBERS[field].unit)
     hold(field, array, np.isfinite(array), "finite")
     return array if array.ndim else float(array)

@@ -14,11 +14,13 @@ from __future__ import annotations
 import math
 import operator
 import re
+from collections.abc import Callable, Mapping
+from dataclasses import MISSING, dataclass, field, fields, replace
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
 from numbers import Real
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -33,48 +35,104 @@ if TYPE_CHECKING:
 
 
 KINDS = {
-    "rad": ("an angle", "30 deg"),
-    "rad/s": ("an angular rate", "-30 deg/s"),
-    "m": ("a length", "5.1 cm"),
-    "kg": ("a mass", "70 g"),
-    "kg m^2": ("a moment of inertia", "359 kg mm^2"),
-    "kg/m^3": ("a density", "1000 kg/m^3"),
-    "s": ("a time", "2 s"),
-    "m/s": ("a speed", "1 cm/s"),
-    "m/s^2": ("an acceleration", "9.8 m/s^2"),
-    "N s/m": ("a viscous resistance", "0.5 N s/m"),
-    "Pa s": ("a viscosity", "1.8e-5 Pa s"),
-    "1": ("a pure number", "0.5"),
+    "rad": ("an angle", "30 deg", "ANGLE"),
+    "rad/s": ("an angular rate", "-30 deg/s", "RATE"),
+    "m": ("a length", "5.1 cm", "LENGTH"),
+    "kg": ("a mass", "70 g", "MASS"),
+    "kg m^2": ("a moment of inertia", "359 kg mm^2", "INERTIA"),
+    "kg/m^3": ("a density", "1000 kg/m^3", "DENSITY"),
+    "s": ("a time", "2 s", "TIME"),
+    "m/s": ("a speed", "1 cm/s", "SPEED"),
+    "m/s^2": ("an acceleration", "9.8 m/s^2", "ACCELERATION"),
+    "N s/m": ("a viscous resistance", "0.5 N s/m", "NUMBER"),
+    "Pa s": ("a viscosity", "1.8e-5 Pa s", "NUMBER"),
+    "1": ("a pure number", "0.5", "NUMBER"),
 }
-"""The quantity of each SI unit in words, and an example."""
+"""The quantity of each SI unit in words, an example, and what stands for it in the help."""
 
-UNIT_OF = {
-    "mass": "kg",
-    "radius": "m",
-    "inner_radius": "m",
-    "outer_radius": "m",
-    "height": "m",
-    "length": "m",
-    "depth": "m",
-    "width": "m",
-    "thickness": "m",
-    "base": "m",
-    "density": "kg/m^3",
-    "transverse_inertia": "kg m^2",
-    "axial_inertia": "kg m^2",
-    "fill": "1",
-}
-"""The SI unit of each number that describes a body or a solid."""
 
-START_UNIT_OF = {
-    "tilt": "rad",
-    "tilt_rate": "rad/s",
-    "yaw": "rad",
-    "yaw_rate": "rad/s",
-    "spin": "rad",
-    "spin_rate": "rad/s",
-}
-"""The SI unit of each number of a start."""
+@dataclass(frozen=True)
+class Quantity:
+    """A number of a set-up, as people give it.
+
+    It stands in the field of a dataclass, which has its name and its default. The options of the
+    command line, the tables of scenario files, the keys of studies and the units of datasets derive
+    from it. Its bounds stand in the core, beside the equations that need them.
+    """
+
+    unit: str = "1"
+    """SI unit."""
+    help: str = ""
+    """The help of its option; without one it has no option."""
+    option: str = ""
+    """The option of the command line, ``static_friction``; the name of the number by default."""
+    metavar: str = ""
+    """What stands for its value in the help; by default the word for its unit."""
+    hint: Literal["", "tilt", "size"] = ""
+    """As what a plain number can be too large, so that a unit has been forgotten."""
+    is_list: bool = False
+    """Whether it is a list of numbers, which only files and programs can give."""
+    required: bool = True
+
+    def field(self, default: Any = MISSING) -> Any:
+        """A field of a dataclass that is this number."""
+        return field(default=default, metadata={Quantity.__name__: self})
+
+    def read(self, value: object, name: str) -> float:
+        """The value that a file or an option gives, in the SI unit.
+
+        Raises ``UnitError`` as :func:`quantity`, :func:`tilt_angle` and :func:`size_of_body` do.
+        """
+        if self.hint == "tilt":
+            return tilt_angle(value, name)
+        if self.hint == "size":
+            return size_of_body(value, self.unit, name)
+        return quantity(value, self.unit, name)
+
+
+def table_of(**numbers: Quantity) -> dict[str, Quantity]:
+    """A table of numbers by name, each with its option and what stands for its value."""
+    return {
+        name: replace(
+            number,
+            option=number.option or name,
+            metavar=number.metavar or KINDS[number.unit][2],
+        )
+        for name, number in numbers.items()
+    }
+
+
+def quantities_of(kind: type) -> dict[str, Quantity]:
+    """The numbers of a dataclass by name."""
+    hashable: Any = kind  # mypy takes the __hash__ of its instances for its own
+    return _quantities_of(hashable)
+
+
+@cache
+def _quantities_of(kind: Any) -> dict[str, Quantity]:
+    numbers = {
+        one.name: replace(number, required=one.default is MISSING)
+        for one in fields(kind)
+        if (number := one.metadata.get(Quantity.__name__)) is not None
+    }
+    return table_of(**numbers)
+
+
+def convert_fields(
+    made: Any,
+    numbers: Mapping[str, Quantity],
+    read: Callable[[str, object, str], object] | None = None,
+) -> None:
+    """Convert the numbers of a dataclass that is being made to SI units.
+
+    ``read`` is :func:`values` by default. None stays where it is the default.
+    """
+    for one in fields(made):
+        value = getattr(made, one.name)
+        if one.name in numbers and (value is not None or one.default is not None):
+            converted = (read or values)(one.name, value, numbers[one.name].unit)
+            object.__setattr__(made, one.name, converted)
+
 
 _EVERYDAY = {
     ("rad", "rad"): 1.0,
@@ -318,7 +376,7 @@ def mismatch(name: str, unit: str, value: object, given: str) -> UnitError:
 
 
 def _kind(unit: str) -> tuple[str, str]:
-    return KINDS.get(unit) or ("a coefficient of air drag", f"1e-9 {unit}")
+    return KINDS[unit][:2] if unit in KINDS else ("a coefficient of air drag", f"1e-9 {unit}")
 
 
 def _refusal(name: str, unit: str, value: object, why: str) -> UnitError:

@@ -9,7 +9,7 @@ import pytest
 
 import rimroll as rr
 from rimroll.cli import main
-from rimroll.cli.gyro_fit import show_fit
+from rimroll.cli.fitted import show_fit
 from rimroll.scenario import load
 from rimroll.sensors.fits import UNREACHED, Estimate, Minimum, fitted_names, least, with_numbers
 from rimroll.sensors.gyro.motion_fit import notes_of

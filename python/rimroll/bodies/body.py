@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
-from rimroll.bodies.solids import Filling, Solid
+from rimroll.bodies.solids import SIZES, Filling, Solid
 from rimroll.errors import RimrollError, element, expect
 from rimroll.files.recorded import expect_dataset, recorded
 from rimroll.many.falls import Falls
 from rimroll.many.grid import Grid, key, same
-from rimroll.units import UNIT_OF, Number, Values, number, values
+from rimroll.units import Number, Values, convert_fields, number
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -75,9 +75,7 @@ class Body:
         ) -> None: ...
 
     def __post_init__(self) -> None:
-        for field in fields(self):
-            value = values(field.name, getattr(self, field.name), UNIT_OF[field.name])
-            object.__setattr__(self, field.name, value)
+        convert_fields(self, SIZES)
         if any(map(np.ndim, vars(self).values())):
             _check_each(self)
         else:

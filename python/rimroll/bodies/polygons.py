@@ -7,11 +7,12 @@ Those made from nominal sizes are typical of their kind, not of one specimen. Ot
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 from rimroll import _core
 from rimroll.bodies.body import Body
-from rimroll.units import UNIT_OF, Number, number, whole_number
+from rimroll.bodies.solids import SIZES
+from rimroll.units import Number, convert_fields, number, whole_number
 
 
 def hexagonal_nut() -> PolygonalBody:
@@ -94,9 +95,7 @@ class PolygonalBody:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "corners", whole_number("corners", self.corners))
-        for field in fields(self)[1:]:
-            value = number(field.name, getattr(self, field.name), UNIT_OF[field.name])
-            object.__setattr__(self, field.name, value)
+        convert_fields(self, SIZES, number)
         _core.check_polygonal_body(self)
 
     @classmethod

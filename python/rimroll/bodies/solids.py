@@ -8,11 +8,35 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 from rimroll import _core
 from rimroll.errors import RimrollError
-from rimroll.units import UNIT_OF, Number, number
+from rimroll.units import Number, Quantity, convert_fields, number, table_of
+
+SIZES = table_of(
+    fill=Quantity("1", "How full soda_can or beer_bottle is: 0.5 or 50%.", metavar="PART"),
+    radius=Quantity(
+        "m", "Radius of the rim: of ring, disk, cylinder, or your own body.", hint="size"
+    ),
+    length=Quantity("m", "Length of cylinder.", hint="size"),
+    mass=Quantity("kg", "Mass of cylinder, or of your own body.", hint="size"),
+    density=Quantity(
+        "kg/m^3", "Density of cylinder: 2700kg/m3 is stone. [that of water]", hint="size"
+    ),
+    height=Quantity("m", "Height of its centre of mass above the base.", hint="size"),
+    transverse_inertia=Quantity(
+        "kg m^2", "A, about an axis through the centre of mass across the body.", hint="size"
+    ),
+    axial_inertia=Quantity("kg m^2", "C, about the symmetry axis.", hint="size"),
+    inner_radius=Quantity("m", hint="size"),
+    outer_radius=Quantity("m", hint="size"),
+    depth=Quantity("m", hint="size"),
+    width=Quantity("m", hint="size"),
+    thickness=Quantity("m", hint="size"),
+    base=Quantity("m", hint="size"),
+)
+"""The numbers of bodies, and the arguments of presets and of solids, by name."""
 
 
 @dataclass(frozen=True)
@@ -29,9 +53,7 @@ class Solid:
     axial_inertia: float
 
     def __post_init__(self) -> None:
-        for field in fields(Solid):
-            value = number(field.name, getattr(self, field.name), UNIT_OF[field.name])
-            object.__setattr__(self, field.name, value)
+        convert_fields(self, SIZES, number)
         _core.check_solid(self)
 
 
@@ -50,7 +72,7 @@ class Filling(Solid):
 
 
 def _made(solid: Callable[..., tuple[float, float, float, float]], **sizes: object) -> Solid:
-    read = {name: number(name, size, UNIT_OF[name]) for name, size in sizes.items()}
+    read = {name: number(name, size, SIZES[name].unit) for name, size in sizes.items()}
     return Solid(*solid(**read))
 
 

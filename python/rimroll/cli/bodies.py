@@ -9,16 +9,12 @@ from dataclasses import asdict
 from typing import Any
 
 from rimroll._core import __version__
-from rimroll.bodies.body import Body
+from rimroll.bodies.body import Bodies, Body
+from rimroll.bodies.solids import SIZES
 from rimroll.cli.contact import option
 from rimroll.cli.options import JsonOption
-from rimroll.cli.request import NUMBERS
 from rimroll.cli.screen import prose, say, show_json, table
 from rimroll.scenario import presets
-from rimroll.units import UNIT_OF
-
-METAVARS = {"m": "LENGTH", "1": "PART", "kg": "MASS", "kg/m^3": "DENSITY"}
-"""What stands for a size, by its unit."""
 
 
 def bodies(json: JsonOption = False) -> int:
@@ -37,7 +33,7 @@ def bodies(json: JsonOption = False) -> int:
     numbers = table("body", "m (kg)", "R (m)", "H (m)", "A (kg m²)", "C (kg m²)")
     for name, preset in presets().items():
         if (body := _by_name_alone(preset)) is not None:
-            numbers.add_row(name, *(f"{getattr(body, field):.4g}" for field in NUMBERS))
+            numbers.add_row(name, *(f"{getattr(body, field):.4g}" for field in Bodies._fields))
     say(numbers)
     say()
     for name, preset in presets().items():
@@ -55,7 +51,7 @@ def _as_typed(name: str, preset: Callable[..., Body]) -> str:
     """A preset with its sizes as they are typed, those that may be left out in brackets."""
     words = [name]
     for size in inspect.signature(preset).parameters.values():
-        typed = f"{option(size.name)} {METAVARS[UNIT_OF[size.name]]}"
+        typed = f"{option(size.name)} {SIZES[size.name].metavar}"
         words.append(typed if size.default is size.empty else f"[{typed}]")
     return " ".join(words)
 

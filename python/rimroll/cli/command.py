@@ -1,30 +1,24 @@
-"""A function as a command: an option for each of its parameters, and their help by panels."""
+"""A function as a command: an option for each of its parameters, help by panels; and groups.
+
+Of a group of commands, only the one that is called is loaded.
+"""
 
 from __future__ import annotations
 
 import functools
 import inspect
 import re
-from collections.abc import Callable, Container
+from collections.abc import Callable, Container, Mapping
 from dataclasses import fields, is_dataclass
-from typing import Annotated, Any, get_args, get_origin, get_type_hints
+from importlib import import_module
+from types import ModuleType
+from typing import Annotated, Any, ClassVar, get_args, get_origin, get_type_hints
 
 import typer
-from typer.core import TyperCommand
+from typer.core import TyperCommand, TyperGroup
 from typer.main import get_command
 
 from rimroll.errors import RimrollError
-
-OTHER_NAMES = {
-    "n": "number",
-    "rolling_resistance dry": "rolling_resistance",
-    "rolling_resistance viscous": "rolling_viscous",
-    "air_drag exponent": "air_exponent",
-}
-"""Options that errors of the Python interface call by another name.
-
-The numbers of contact laws are not among them: their parameters name their options.
-"""
 
 EARLIER = {
     ("map", "--points"): "--starts",
@@ -137,11 +131,17 @@ def _is_on_command_line(name: str, ctx: Any) -> bool:
 
 
 def _other_names() -> list[tuple[str, str]]:
-    """The names that errors have for options, and the options; those of contact laws, too."""
-    from rimroll.laws import LAWS, parameters_of  # which load numpy
+    """The names that errors of the Python interface have for options, and the options."""
+    from rimroll.laws import LAWS  # which load numpy
+    from rimroll.scenario import RESISTANCES
+    from rimroll.units import quantities_of
 
-    of_laws = (item for law in LAWS.values() for item in parameters_of(law).items())
-    return [*OTHER_NAMES.items(), *((name, parameter.option) for name, parameter in of_laws)]
+    found = [("n", "number")]
+    for law in LAWS.values():
+        found += [(name, one.option) for name, one in quantities_of(law).items()]
+    for table, kind in RESISTANCES.items():
+        found += [(f"{table} {name}", one.option) for name, one in quantities_of(kind).items()]
+    return found
 
 
 def _is_text(hint: Any) -> bool:
@@ -176,3 +176,43 @@ def unfolded(command: Callable[..., int]) -> Callable[..., int]:
 def _options_of(group: Any) -> list[tuple[str, Any, Any]]:
     hints = get_type_hints(group, include_extras=True)
     return [(field.name, hints[field.name], field.default) for field in fields(group)]
+
+
+class Commands(Sparing, TyperGroup):
+    """A group that knows its commands by name until one is called."""
+
+    package: ClassVar[str]
+    """The package that has the commands."""
+    module: ClassVar[str | None]
+    """Its module with all of them; by default each has a module of its name."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        name, command, rest = super().resolve_command(ctx, args)
+        return name, command and loaded(self.package, str(command.name), self.module), rest
+
+
+def group(package: str, commands: Mapping[str, str], *, module: str | None = None) -> typer.Typer:
+    """A group of commands by name, each with the first line of its help.
+
+    Each is a function of its name, in the module of that name or in one module for all.
+    """
+    kind = type("Commands", (Commands,), {"package": package, "module": module})
+    app = typer.Typer(
+        cls=kind,
+        rich_markup_mode=None,
+        context_settings=SETTINGS,
+        add_completion=package.count(".") == 1,
+    )
+    for name, first_line in commands.items():
+        app.command(name, help=first_line)(_named_only)
+    return app
+
+
+def loaded(package: str, name: str, module: str | None = None) -> Any:
+    """The command of that name, or the group of commands, its module loaded."""
+    home: ModuleType = import_module(f"{package}.{module or name}")
+    return get_command(home.app) if hasattr(home, "app") else made(getattr(home, name))
+
+
+def _named_only() -> None:
+    """Stands for a command that has not been called."""

@@ -9,7 +9,7 @@ import typer
 from typer.main import get_command
 
 from rimroll._core import __version__
-from rimroll.cli.group import group
+from rimroll.cli.command import group
 from rimroll.errors import RimrollError
 
 COMMANDS = {

@@ -19,6 +19,7 @@ from rimroll.cli.options import (
     MotionOptions,
     ResistanceOptions,
     StartOptions,
+    value_option,
 )
 from rimroll.cli.outcomes import FILE, IDEALS, USUAL, Outcome, outcome, tables
 from rimroll.cli.request import Request, requested
@@ -26,23 +27,23 @@ from rimroll.cli.screen import angle, prose, say, show_json, table, working
 from rimroll.cli.turn import arrival_of, body_line, limit_in_words, start_line
 from rimroll.errors import RimrollError
 from rimroll.files.recorded import ending_in_words
-from rimroll.laws import Law, NoSlip, parameters_of
+from rimroll.laws import Law, NoSlip
 from rimroll.laws.surfaces import SURFACES
 from rimroll.motion import Motion
 from rimroll.theory.closed_forms import needed_friction
-from rimroll.units import quantity
+from rimroll.units import quantities_of, quantity
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 OnOption = Annotated[
     str | None,
-    typer.Option(
-        help=f"The tables: {', '.join(SURFACES)}, {', '.join(IDEALS)}, {FILE} (the law of a"
+    value_option(
+        f"The tables: {', '.join(SURFACES)}, {', '.join(IDEALS)}, {FILE} (the law of a"
         f" scenario file), or coefficients of friction such as 0.05,0.2,0.5. [{USUAL}, and {FILE}"
         " where there is one]",
-        metavar="LIST",
-        rich_help_panel="Table",
+        "LIST",
+        "Table",
     ),
 ]
 FigureOption = Annotated[
@@ -84,7 +85,7 @@ def compare(
     files = output or []
     check(files, FORMS)
     rebound = quantity(resistances.restitution or "0", "1", "--restitution")
-    others = replace(resistances, restitution=None)
+    others = resistances.with_texts(restitution=None)
     what = requested(body, start, motion, LawOptions(), others, needs_start=True)
     laws = tables(on, rebound, _of_file(what, resistances.restitution))
     outcomes = []
@@ -118,7 +119,7 @@ def _of_file(what: Request, restitution: str | None) -> Law | None:
     if not what.has_file:
         return None
     rebound = {} if restitution is None else {"restitution": quantity(restitution, "1")}
-    takes = "restitution" in parameters_of(type(what.law))
+    takes = "restitution" in quantities_of(type(what.law))
     return replace(what.law, resistances=(), **(rebound if takes else {}))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from rimroll import laws
 from rimroll.bodies.body import Body
@@ -14,15 +15,13 @@ from rimroll.laws import (
     Coulomb,
     Law,
     NoSlip,
-    Parameter,
     PivotingFriction,
     Resistance,
     RollingResistance,
-    parameters_of,
     surfaces,
 )
-from rimroll.scenario import FILM
-from rimroll.units import air_unit, quantity
+from rimroll.scenario import RESISTANCES, resistance
+from rimroll.units import Quantity, air_unit, quantities_of, quantity
 
 
 def option(name: str) -> str:
@@ -42,14 +41,14 @@ def requested_law(options: LawOptions, resistances: ResistanceOptions, law: Law 
     takes = _number_of(kind)
     for name in given:
         if name not in takes:
-            known = ", ".join(map(_given_by, parameters_of(kind).items())) or "no numbers"
+            known = ", ".join(map(_given_by, quantities_of(kind).items())) or "no numbers"
             raise RimrollError(
                 f"{option(name)} does not go with {typed(kind.name)}, which takes {known}"
             )
     numbers = {takes[name]: value for name, value in given.items()}
     if law is not None and type(law) is kind:
         return replace(law, resistances=(), **numbers)
-    for item in parameters_of(kind).items():
+    for item in quantities_of(kind).items():
         if item[1].required and item[0] not in numbers:
             raise RimrollError(f"{typed(kind.name)} needs {_given_by(item)}")
     return laws.by_name(kind.name, numbers)
@@ -59,12 +58,12 @@ def _number_of(kind: type[Law]) -> dict[str, str]:
     """The numbers of a law by the options that give them."""
     return {
         parameter.option: name
-        for name, parameter in parameters_of(kind).items()
+        for name, parameter in quantities_of(kind).items()
         if not parameter.is_list
     }
 
 
-def _given_by(item: tuple[str, Parameter]) -> str:
+def _given_by(item: tuple[str, Quantity]) -> str:
     """The option that gives a number of a law; tables are given in a file."""
     name, parameter = item
     return f"{name} from a scenario file" if parameter.is_list else option(parameter.option)
@@ -140,58 +139,46 @@ def _kind(options: LawOptions, given: Mapping[str, float], usual: type[Law]) -> 
 def with_resistances(law: Law, options: ResistanceOptions, body: Body, gravity: float) -> Law:
     """The law with the resistances of the options, which replace those of the same kind."""
     kept: dict[type[Resistance], Resistance] = {type(item): item for item in law.resistances}
-    for item in (
-        _rolling(options, kept.get(RollingResistance)),
-        _pivoting(options),
-        _air(options, body, gravity),
-    ):
-        if item is not None:
-            kept[type(item)] = item
+    for kind in RESISTANCES.values():
+        given = {
+            name: text
+            for name, one in quantities_of(kind).items()
+            if (text := getattr(options, one.option)) is not None
+        }
+        if given:
+            kept[kind] = _resistance(kind, given, kept.get(kind), body, gravity)
     found = tuple(kept.values())
     return law if found == law.resistances else replace(law, resistances=found)
 
 
-def _rolling(options: ResistanceOptions, old: Resistance | None) -> RollingResistance | None:
-    given = {
-        name: _resistance_number(RollingResistance, name, option_name, text)
-        for name, option_name in (("dry", "rolling_resistance"), ("viscous", "rolling_viscous"))
-        if (text := getattr(options, option_name)) is not None
-    }
-    before = old if isinstance(old, RollingResistance) else RollingResistance()
-    return replace(before, **given) if given else None
+def _resistance(
+    kind: type[Resistance],
+    given: Mapping[str, str],
+    before: Resistance | None,
+    body: Body,
+    gravity: float,
+) -> Resistance:
+    """A resistance of some options; one without required numbers keeps its others."""
+    numbers = quantities_of(kind)
 
+    def called(name: str) -> str:
+        return option(numbers[name].option)
 
-def _pivoting(options: ResistanceOptions) -> PivotingFriction | None:
-    if options.pivoting_friction is None:
-        return None
-    text = options.pivoting_friction
-    length = _resistance_number(PivotingFriction, "length", "pivoting_friction", text)
-    return PivotingFriction(length)
-
-
-def _resistance_number(kind: type[Resistance], name: str, option_name: str, text: str) -> float:
-    return quantity(text, parameters_of(kind)[name].unit, option(option_name))
-
-
-def _air(options: ResistanceOptions, body: Body, gravity: float) -> AirDrag | None:
-    exponent = AirDrag.exponent
-    if options.air_exponent is not None:
-        if options.air_drag is None:
-            raise RimrollError("--air-exponent needs --air-drag")
-        exponent = quantity(options.air_exponent, "1", "--air-exponent")
-    if options.air_drag is None:
-        return None
-    if options.air_drag == FILM:
-        if options.air_exponent is not None:
-            raise RimrollError("--air-drag film has its own exponent, 4: leave out --air-exponent")
-        return AirDrag.film(body.radius, gravity=gravity)
-    return AirDrag(quantity(options.air_drag, air_unit(exponent), "--air-drag"), exponent)
+    required = [name for name, one in numbers.items() if one.required]
+    for name in required:
+        if name not in given:
+            raise RimrollError(f"{called(next(iter(given)))} needs {called(name)}")
+    found = resistance(kind, given, body, gravity, called)
+    if before is None or required:
+        return found
+    changes: dict[str, Any] = {name: getattr(found, name) for name in given}
+    return replace(before, **changes)
 
 
 def in_words(law: Law) -> str:
     """A law as it is typed, its numbers, and its resistances: ``coulomb, friction 0.2``."""
     words = [typed(law.name)]
-    for name, parameter in parameters_of(type(law)).items():
+    for name, parameter in quantities_of(type(law)).items():
         value = getattr(law, name)
         if value is not None and not (name == "restitution" and value == 0.0):
             unit = "" if parameter.unit == "1" else parameter.unit

@@ -10,10 +10,9 @@ from typing import Annotated, Any
 import typer
 
 from rimroll.cli.fit import BodyByOption, ConfidenceOption, GravityOption, OutputOption
-from rimroll.cli.fitted_numbers import numbers_table
+from rimroll.cli.fitted import first_law, numbers_table
 from rimroll.cli.formats import Forms, check, pictures, write, write_json
 from rimroll.cli.gyro import BODY_ERROR
-from rimroll.cli.gyro_fit import first_law
 from rimroll.cli.options import (
     JsonOption,
     LawOptions,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
@@ -15,28 +14,32 @@ from rimroll.cli.options import (
     BodyOptions,
     MotionOptions,
     StartOptions,
+    Texts,
+    options,
     pairs,
     value_option,
+    with_helps,
 )
 from rimroll.cli.request import Shaking, is_file
 from rimroll.errors import RimrollError, typed
-from rimroll.ground.described import NUMBERS, PULSES, Description
-from rimroll.options import KINDS, ON_MOVING_TABLES, FlatLanding, flat_given
-from rimroll.units import quantity
+from rimroll.ground.described import CHANGES, NUMBERS, PULSES, Description
+from rimroll.options import KINDS, ON_MOVING_TABLES, FlatLanding, Options, flat_given
+from rimroll.state import START_NUMBERS
+from rimroll.units import quantities_of, quantity
 
 _PULSES = [typed(name) for name in PULSES]
 _KINDS = [typed(name) for name in KINDS]
 
-OPTION_OF = {"duration": "--pulse-duration", "rotation": "--rotate"}
-"""Fields of a description whose options have other names."""
+OPTION_OF = {name: option(one.option) for name, one in (NUMBERS | CHANGES).items()}
+"""The options of the numbers of a ground."""
 
 
 def _given(help: str, metavar: str, choices: Sequence[str] = (), panel: str = "Ground") -> object:
     return value_option(help, metavar, panel, choices)
 
 
-@dataclass(frozen=True)
-class RecordOptions:
+@options()
+class RecordOptions(Texts):
     """Files of records."""
 
     record: Annotated[
@@ -78,7 +81,7 @@ class RecordOptions:
         return {"columns": columns, "step": step, "time_unit": self.time_unit}
 
 
-@dataclass(frozen=True)
+@options({"Ground": NUMBERS | CHANGES})
 class GroundOptions(RecordOptions):
     """How the table moves."""
 
@@ -89,23 +92,6 @@ class GroundOptions(RecordOptions):
         ),
     ] = None
     pulse: Annotated[str | None, _given(f"{', '.join(_PULSES)}.", "NAME", _PULSES)] = None
-    amplitude: Annotated[
-        str | None, _given("Of the pulse: along x, or x,y,z as in 0.3g,1m/s2,0.", "ACCELERATION")
-    ] = None
-    period: Annotated[str | None, _given("Of sine, cosine and ricker; or x,y,z.", "TIME")] = None
-    cycles: Annotated[str | None, _given("Periods of sine and cosine; or x,y,z. [1]", "NUMBER")] = (
-        None
-    )
-    pulse_duration: Annotated[
-        str | None, _given("Of half-sine and rectangular; or x,y,z.", "TIME")
-    ] = None
-    center: Annotated[str | None, _given("Time of the peak of ricker. [two periods]", "TIME")] = (
-        None
-    )
-    scale: Annotated[str | None, _given("Multiply all accelerations.", "FACTOR")] = None
-    rotate: Annotated[
-        str | None, _given("Turn the ground about the vertical, from x toward y.", "ANGLE")
-    ] = None
 
 
 FLAT = (
@@ -116,63 +102,57 @@ FLAT = (
 FlatOption = Annotated[str | None, _given(f"{FLAT} [{ON_MOVING_TABLES}]", "HOW", _KINDS, "Table")]
 
 
-@dataclass(frozen=True)
+@options({"Start": {"yaw": START_NUMBERS["yaw"]}})
 class LeanOptions(StartOptions):
     """A start that leans in some direction."""
 
-    yaw: Annotated[
-        str | None,
-        _given("Where the tilt lifts the base: 0 is x, 90deg y. [0]", "ANGLE", (), "Start"),
-    ] = None
+
+_DURATION = "Duration of the motion. [10 s longer than the ground]"
 
 
-@dataclass(frozen=True)
+@options(
+    {
+        "Motion": with_helps(quantities_of(Options), duration=_DURATION),
+        "Table": {"flat_gap": quantities_of(Options)["flat_gap"]},
+    }
+)
 class ShakenOptions(MotionOptions):
     """Duration and accuracy of a motion on a table that moves."""
-
-    duration: Annotated[
-        str | None,
-        _given("Duration of the motion. [10 s longer than the ground]", "TIME", (), "Motion"),
-    ] = None
-    flat_gap: Annotated[
-        str | None,
-        _given(
-            "The base comes down flat also where its far side is this far above the table. [0]",
-            "LENGTH",
-            (),
-            "Table",
-        ),
-    ] = None
 
 
 def body_and_records(body: BodyOptions, files: Sequence[Path]) -> tuple[BodyOptions, list[Path]]:
     """What rolls, and the files of records; the first word may be a record, too."""
     given = body.body
     if given is not None and is_file(given) and not given.endswith(".toml"):
-        return replace(body, body=None), [Path(given), *files]
+        return body.with_texts(body=None), [Path(given), *files]
     return body, list(files)
 
 
-def requested_shaking(options: GroundOptions, more: Sequence[Path], flat: str | None) -> Shaking:
+def requested_shaking(given: GroundOptions, more: Sequence[Path], flat: str | None) -> Shaking:
     """The ground that options describe; ``more`` are further files of the record.
 
     Raises ``RimrollError`` naming the option that is at fault.
     """
     numbers = {
-        name: _three(text, unit, _called(name))
-        for name, unit in NUMBERS.items()
-        if (text := _text_of(options, name)) is not None
+        name: _three(text, one.unit, _called(name))
+        for name, one in NUMBERS.items()
+        if (text := getattr(given, one.option)) is not None
+    }
+    changes = {
+        name: one.read(text, _called(name))
+        for name, one in CHANGES.items()
+        if (text := getattr(given, one.option)) is not None
     }
     description = Description(
-        record=[*(options.record or ()), *more],
-        pulse=options.pulse,
+        record=[*(given.record or ()), *more],
+        pulse=given.pulse,
         numbers=numbers,
-        scale=_number(options.scale, "1", "--scale"),
-        rotation=_number(options.rotate, "rad", "--rotate"),
-        units=options.units,
-        pad=options.pad,
-        headings=None if options.headings is None else options.headings.split(","),
-        **options.layout,
+        scale=changes.get("scale"),
+        rotation=changes.get("rotation"),
+        units=given.units,
+        pad=given.pad,
+        headings=None if given.headings is None else given.headings.split(","),
+        **given.layout,
     )
     try:
         ground = description.made(_called)
@@ -188,15 +168,6 @@ def given_flat(text: str | None) -> FlatLanding | None:
 
 def _called(name: str) -> str:
     return OPTION_OF.get(name, option(name))
-
-
-def _text_of(options: GroundOptions, name: str) -> str | None:
-    text: str | None = getattr(options, _called(name).removeprefix("--").replace("-", "_"))
-    return text
-
-
-def _number(text: str | None, unit: str, name: str) -> float | None:
-    return None if text is None else quantity(text, unit, name)
 
 
 def _three(text: str, unit: str, name: str) -> float | list[float]:

@@ -10,8 +10,8 @@ from typing import Annotated, Any
 import typer
 
 from rimroll.cli.fit import BodyByOption, ConfidenceOption, GravityOption, OutputOption
+from rimroll.cli.fitted import fitted, show_fit
 from rimroll.cli.formats import Forms, check, pictures, write, write_json
-from rimroll.cli.gyro_fit import fitted, show_fit
 from rimroll.cli.options import (
     JsonOption,
     LawOptions,

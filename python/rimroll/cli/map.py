@@ -11,25 +11,27 @@ import numpy as np
 import typer
 
 from rimroll.cli.contact import in_words
-from rimroll.cli.fall_options import FallOptions, options_of_falls
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import STDOUT, Forms, check, pictures, write
 from rimroll.cli.hints import release_hints
 from rimroll.cli.options import (
     BodyOptions,
+    FallOptions,
     JsonOption,
     LawOptions,
     ResistanceOptions,
     StartOptions,
     ThreadsOption,
+    ends,
+    value_option,
     whole,
 )
-from rimroll.cli.ranges import ends
-from rimroll.cli.request import Request, requested
+from rimroll.cli.request import Request, options_of_falls, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, working
 from rimroll.cli.turn import body_line
 from rimroll.errors import RimrollError
 from rimroll.experiment.release import Release
+from rimroll.experiment.toppling import FALLING
 from rimroll.files.recorded import FELL, ending_in_words
 from rimroll.laws import IDEAL
 from rimroll.many.ensemble import fell, outcomes
@@ -51,31 +53,23 @@ class PlaneOptions:
 
     tilt: Annotated[
         str | None,
-        typer.Option(
-            help="Tilt at the start. [that of a flick that topples the body]",
-            metavar="ANGLE",
-            rich_help_panel="Start",
+        value_option(
+            "Tilt at the start. [that of a flick that topples the body]", "ANGLE", "Start"
         ),
     ] = None
     tilt_rate: Annotated[
         str | None,
-        typer.Option(
-            help="Negative while falling toward upright. [that of the flick; with --tilt: 0]",
-            metavar="RATE",
-            rich_help_panel="Start",
+        value_option(
+            "Negative while falling toward upright. [that of the flick; with --tilt: 0]",
+            "RATE",
+            "Start",
         ),
     ] = None
     yaw_rates: Annotated[
         str,
-        typer.Option(
-            help="From left to right, such as -30..30deg/s.",
-            metavar="RANGE",
-            rich_help_panel="Start",
-        ),
+        value_option("From left to right, such as -30..30deg/s.", "RANGE", "Start"),
     ] = "-1..1"
-    spin_rates: Annotated[
-        str, typer.Option(help="From bottom to top.", metavar="RANGE", rich_help_panel="Start")
-    ] = "-1..1"
+    spin_rates: Annotated[str, value_option("From bottom to top.", "RANGE", "Start")] = "-1..1"
     starts: Annotated[
         int,
         typer.Option(
@@ -143,7 +137,7 @@ def map(
     spin = rates(plane.spin_rates, plane.starts, "--spin-rates")
     start = StartOptions(tilt=plane.tilt, tilt_rate=plane.tilt_rate)
     what = requested(body, start, motion, law, resistances)
-    options = options_of_falls(motion, what.options)
+    options = options_of_falls(motion, what.options, FALLING)
     what = replace(what, start=what.start or _flick(what), options=options)
     falls, cut_short = _follow(what, yaw, spin, threads)
     for file in files:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import textwrap
-from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -12,14 +11,14 @@ import typer
 from uncertainties import UFloat
 
 from rimroll._core import __version__
+from rimroll.bodies.solids import SIZES
 from rimroll.cli.contact import option
-from rimroll.cli.options import JsonOption, value_option
+from rimroll.cli.options import JsonOption, Texts, options, value_option
 from rimroll.cli.screen import prose, say, show_json, table
 from rimroll.errors import RimrollError, typed
 from rimroll.experiment.measurement import Measurement, measured
-from rimroll.experiment.readings import ESTIMATE, UNITS, main_source, pretty
+from rimroll.experiment.readings import ESTIMATE, READINGS, UNITS, main_source, pretty
 from rimroll.files.output import writing
-from rimroll.units import UNIT_OF
 
 INERTIA = {
     "mass": "mass m",
@@ -30,99 +29,20 @@ INERTIA = {
 }
 """The numbers of a body, in words."""
 
-Text = str | None
 
-
-SIZE, BALANCE = "Size", "Balance (one of them)"
-SWUNG = "Hung from the rim of its base, swinging along (for A)"
-ACROSS, ROCKED = "Swinging across (for C)", "Instead of swinging along: rocking (for A)"
-ROLLED = "Instead of swinging across: rolling down a slope on its side (for C)"
-
-
-@dataclass(frozen=True)
-class MeasureOptions:
+@options(READINGS)
+class MeasureOptions(Texts):
     """The readings."""
 
-    mass: Annotated[Text, value_option("On the scales.", "MASS", SIZE)] = None
-    radius: Annotated[Text, value_option("Of the rim that touches the table.", "LENGTH", SIZE)] = (
-        None
-    )
-    diameter: Annotated[Text, value_option("Or this: twice the radius.", "LENGTH", SIZE)] = None
-    length: Annotated[
-        Text, value_option("How tall it is, base to top: a check on the others.", "LENGTH", SIZE)
-    ] = None
-    balance_point: Annotated[
-        Text,
-        value_option(
-            "Lying across an edge it balances; how far from its base is the edge?",
-            "LENGTH",
-            BALANCE,
-        ),
-    ] = None
-    balance_tilt: Annotated[
-        Text,
-        value_option(
-            "The tilt at which it stands poised on its rim, without a liquid in it.",
-            "ANGLE",
-            BALANCE,
-        ),
-    ] = None
-    swings: Annotated[
-        Text,
-        value_option(
-            "Swings there and back, in the plane of pivot and symmetry axis.", "NUMBER", SWUNG
-        ),
-    ] = None
-    swings_time: Annotated[Text, value_option("How long they took.", "TIME", SWUNG)] = None
-    swing_period: Annotated[Text, value_option("Or one swing by itself.", "TIME", SWUNG)] = None
-    swing_amplitude: Annotated[
-        Text, value_option("If it is not small: how far to either side.", "ANGLE", SWUNG)
-    ] = None
-    pivot_height: Annotated[
-        Text,
-        value_option(
-            "If hung elsewhere: pivot above the base, as a mug on its lip. [0]", "LENGTH", SWUNG
-        ),
-    ] = None
-    pivot_radius: Annotated[
-        Text, value_option("And from the symmetry axis. [that of the rim]", "LENGTH", SWUNG)
-    ] = None
-    rocking_tilt: Annotated[
-        Text, value_option("Let go at rest from this tilt of the base;", "ANGLE", ROCKED)
-    ] = None
-    rocking_time: Annotated[
-        Text,
-        value_option("how long until it is at its highest on the other side.", "TIME", ROCKED),
-    ] = None
-    across_swings: Annotated[
-        Text, value_option("Swings perpendicular to those along.", "NUMBER", ACROSS)
-    ] = None
-    across_time: Annotated[Text, value_option("How long they took.", "TIME", ACROSS)] = None
-    across_period: Annotated[Text, value_option("Or one swing by itself.", "TIME", ACROSS)] = None
-    across_pivot: Annotated[
-        Text,
-        value_option(
-            "edge, or point: a hook or thread that lets it twist as it swings. [edge]",
-            "PIVOT",
-            ACROSS,
-        ),
-    ] = None
-    slope_length: Annotated[Text, value_option("The way it rolls from rest.", "LENGTH", ROLLED)] = (
-        None
-    )
-    slope_height: Annotated[
-        Text, value_option("How far the slope falls on that way.", "LENGTH", ROLLED)
-    ] = None
-    slope_angle: Annotated[Text, value_option("Or its angle.", "ANGLE", ROLLED)] = None
-    slope_time: Annotated[Text, value_option("How long it took.", "TIME", ROLLED)] = None
-    side_radius: Annotated[
-        Text, value_option("Radius of its widest part. [that of the rim]", "LENGTH", ROLLED)
-    ] = None
-    gravity: Annotated[
-        Text, value_option("The paper used 9.8. [9.80665 m/s^2]", "ACCELERATION", SIZE)
-    ] = None
 
-
+PivotOption = Annotated[
+    str | None,
+    value_option(
+        "edge, or point: a hook or thread that lets it twist as it swings. [edge]",
+        "PIVOT",
+        "Swinging across (for C)",
+    ),
+]
 FileOption = Annotated[
     Path | None,
     typer.Option(
@@ -135,7 +55,12 @@ FileOption = Annotated[
 ]
 
 
-def measure(given: MeasureOptions, output: FileOption = None, json: JsonOption = False) -> int:
+def measure(
+    given: MeasureOptions,
+    across_pivot: PivotOption = None,
+    output: FileOption = None,
+    json: JsonOption = False,
+) -> int:
     """Your own can from a ruler, scales and a stopwatch.
 
     The numbers of a body are its mass, R, H, A and C.
@@ -156,8 +81,7 @@ def measure(given: MeasureOptions, output: FileOption = None, json: JsonOption =
     """
     if output is not None and output.suffix.lower() != ".toml":
         raise RimrollError(f"cannot write {output}: its suffix must be .toml")
-    texts = asdict(given)
-    found = measured(texts, texts.pop("across_pivot"), option)
+    found = measured(dict(vars(given)), across_pivot, option)
     if output is not None:
         try:
             with writing(output) as part:
@@ -172,7 +96,7 @@ def measure(given: MeasureOptions, output: FileOption = None, json: JsonOption =
 
 
 def _answer(found: Measurement, output: Path | None) -> dict[str, Any]:
-    body = {name: getattr(found, name) for name in UNIT_OF if name in INERTIA}
+    body = {name: getattr(found, name) for name in INERTIA}
     turns = {"no_slip": found.turn_no_slip, "frictionless": found.turn_frictionless}
     return {
         "rimroll_version": __version__,
@@ -194,7 +118,7 @@ def _show(found: Measurement, output: Path | None) -> None:
     say()
     rows = table("", "measured", "±", "mostly from")
     for name, words in INERTIA.items():
-        _row(rows, words, getattr(found, name), UNIT_OF[name])
+        _row(rows, words, getattr(found, name), SIZES[name].unit)
     _row(rows, "A/m", found.transverse_inertia / found.mass, "m^2")
     _row(rows, "turn limit, no-slip", found.turn_no_slip, "rad")
     _row(rows, "turn limit, frictionless", found.turn_frictionless, "rad")
@@ -244,7 +168,7 @@ def scenario_file(found: Measurement, file: Path) -> str:
     ]
     body = []
     for field in INERTIA:
-        unit, number = UNIT_OF[field], getattr(found, field)
+        unit, number = SIZES[field].unit, getattr(found, field)
         guess = " (a guess)" if main_source(number) == ESTIMATE else ""
         line = f"{field} = {getattr(found.body, field)!r}"
         body.append(f"{line:44} # {unit.replace('^2', '²')}: {pretty(number, unit)}{guess}")

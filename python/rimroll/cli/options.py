@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, fields, make_dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, make_dataclass, replace
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar
 
 import typer
 
 from rimroll import laws
+from rimroll.bodies.solids import SIZES
 from rimroll.errors import RimrollError, typed
-from rimroll.laws import Parameter, surfaces
-from rimroll.laws.parameters import RESTITUTION
-from rimroll.scenario import MAX_STEPS, presets
+from rimroll.laws import surfaces
+from rimroll.options import Options
+from rimroll.scenario import MAX_STEPS, RESISTANCES, presets
+from rimroll.state import START_NUMBERS
+from rimroll.units import Quantity, quantities_of, quantity
 
 
 def whole(least: int | None = None, most: int | None = None) -> Callable[[str], int]:
@@ -51,8 +54,53 @@ def completing(choices: Iterable[str]) -> Callable[[str], list[str]] | None:
     return those_that_begin if known else None
 
 
-@dataclass(frozen=True)
-class BodyOptions:
+T = TypeVar("T")
+
+
+class Texts:
+    """Options by name: what was typed for each, or None."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **texts: Any) -> None: ...
+        def __getattr__(self, name: str) -> Any: ...
+
+    def with_texts(self, **texts: Any) -> Self:
+        """A copy in which others were typed."""
+        copied: Any = self  # type checkers do not know its options
+        changed: Self = replace(copied, **texts)
+        return changed
+
+
+def options(
+    panels: Mapping[str, Mapping[str, Quantity]] | None = None, *but: str
+) -> Callable[[type[T]], type[T]]:
+    """Make a dataclass of a class of options, and add one for each number that has a help.
+
+    ``panels`` are the numbers by the panel of the help, ``but`` those that are left out.
+    """
+    added: list[tuple[str, Any, Any]] = [
+        (one.option, Annotated[str | None, value_option(one.help, one.metavar, panel)], None)
+        for panel, numbers in (panels or {}).items()
+        for name, one in numbers.items()
+        if one.help and name not in but
+    ]
+
+    def made(kind: type[T]) -> type[T]:
+        base: type[T] = dataclass(frozen=True)(kind)
+        namespace = {"__doc__": kind.__doc__, "__module__": kind.__module__}
+        return make_dataclass(kind.__name__, added, bases=(base,), namespace=namespace, frozen=True)
+
+    return made
+
+
+def with_helps(numbers: Mapping[str, Quantity], **helps: str) -> dict[str, Quantity]:
+    """Some of the numbers, with another help."""
+    return {name: replace(numbers[name], help=help) for name, help in helps.items()}
+
+
+@options({"Body": SIZES})
+class BodyOptions(Texts):
     """What rolls: a preset with its arguments, a file, or five numbers."""
 
     body: Annotated[
@@ -70,88 +118,64 @@ class BodyOptions:
         # Earlier than a file as BODY.
         typer.Option(hidden=True),
     ] = None
-    fill: Annotated[
-        str | None, value_option("How full soda_can or beer_bottle is: 0.5 or 50%.", "PART", "Body")
-    ] = None
-    radius: Annotated[
-        str | None,
-        value_option(
-            "Radius of the rim: of ring, disk, cylinder, or your own body.", "LENGTH", "Body"
-        ),
-    ] = None
-    length: Annotated[str | None, value_option("Length of cylinder.", "LENGTH", "Body")] = None
-    mass: Annotated[
-        str | None, value_option("Mass of cylinder, or of your own body.", "MASS", "Body")
-    ] = None
-    density: Annotated[
-        str | None,
-        value_option("Density of cylinder: 2700kg/m3 is stone. [that of water]", "DENSITY", "Body"),
-    ] = None
-    height: Annotated[
-        str | None, value_option("Height of its centre of mass above the base.", "LENGTH", "Body")
-    ] = None
-    transverse_inertia: Annotated[
-        str | None,
-        value_option(
-            "A, about an axis through the centre of mass across the body.", "INERTIA", "Body"
-        ),
-    ] = None
-    axial_inertia: Annotated[
-        str | None, value_option("C, about the symmetry axis.", "INERTIA", "Body")
-    ] = None
 
 
-@dataclass(frozen=True)
-class StartOptions:
+@options({"Start": START_NUMBERS}, "yaw")
+class StartOptions(Texts):
     """From where and how fast."""
 
-    tilt: Annotated[
-        str | None, value_option("Tilt at the start; 0 is upright, base flat.", "ANGLE", "Start")
-    ] = None
-    tilt_rate: Annotated[
-        str | None, value_option("Negative while falling toward upright. [0]", "RATE", "Start")
-    ] = None
-    yaw_rate: Annotated[
-        str | None, value_option("How fast the contact point goes round. [0]", "RATE", "Start")
-    ] = None
-    spin_rate: Annotated[
-        str | None, value_option("About the symmetry axis. [0]", "RATE", "Start")
-    ] = None
+
+def steps_option(help: str) -> Any:
+    """The option of the largest number of steps."""
+    return typer.Option(
+        help=help, metavar="NUMBER", parser=whole(1, MAX_STEPS), rich_help_panel="Motion"
+    )
 
 
-@dataclass(frozen=True)
-class MotionOptions:
+@options({"Motion": quantities_of(Options)}, "flat_gap")
+class _MotionOptions(Texts):
+    pass
+
+
+@options()
+class MotionOptions(_MotionOptions):
     """Duration and accuracy of the motion."""
 
-    duration: Annotated[
-        str | None, value_option("Duration of the motion. [2 s]", "TIME", "Motion")
-    ] = None
-    gravity: Annotated[
-        str | None, value_option("The paper used 9.8. [9.80665 m/s^2]", "ACCELERATION", "Motion")
-    ] = None
-    topple_tilt: Annotated[
-        str | None,
-        value_option("Tilt that counts as toppled. [90 deg; a disk: none]", "ANGLE", "Motion"),
-    ] = None
-    rtol: Annotated[
-        float | None, value_option("Intended relative error. [1e-10]", "NUMBER", "Motion")
-    ] = None
+    max_steps: Annotated[int | None, steps_option("Largest number of solver steps. [1000000]")] = (
+        None
+    )
+
+
+_FALLS = with_helps(
+    quantities_of(Options),
+    duration="Longest duration of a fall. [10 s]",
+    rtol="Intended relative error. [1e-6]",
+)
+
+
+@options({"Motion": _FALLS})
+class FallOptions(MotionOptions):
+    """Duration and accuracy of each of many falls."""
+
     max_steps: Annotated[
-        int | None,
-        typer.Option(
-            help="Largest number of solver steps. [1000000]",
-            metavar="NUMBER",
-            parser=whole(1, MAX_STEPS),
-            rich_help_panel="Motion",
-        ),
+        int | None, steps_option("Largest number of solver steps of a fall. [100000]")
     ] = None
 
 
 _LAWS = [typed(name) for name in laws.LAWS]
 
 
-@dataclass(frozen=True)
-class _LawOptions:
+PARAMETERS = {
+    one.option: one
+    for law in laws.LAWS.values()
+    for one in quantities_of(law).values()
+    if not one.is_list
+}
+"""The numbers of all laws by the options that give them."""
+
+
+@options({"Table": PARAMETERS}, "restitution")
+class LawOptions(Texts):
     """How the rim meets the table."""
 
     law: Annotated[
@@ -175,74 +199,14 @@ class _LawOptions:
     ] = None
 
 
-@dataclass(frozen=True)
-class ResistanceOptions:
-    """Restitution of landings, and resistances besides friction."""
-
-    restitution: Annotated[
-        str | None,
-        value_option(RESTITUTION.help, "NUMBER", "Table"),
-    ] = None
-    rolling_resistance: Annotated[
-        str | None,
-        value_option("Resisting force over normal force, against rolling.", "NUMBER", "Table"),
-    ] = None
-    rolling_viscous: Annotated[
-        str | None,
-        value_option("Resisting force over rolling speed, in N s/m.", "NUMBER", "Table"),
-    ] = None
-    pivoting_friction: Annotated[
-        str | None,
-        value_option(
-            "Resisting moment over normal force, against turning about the vertical.",
-            "LENGTH",
-            "Table",
-        ),
-    ] = None
-    air_drag: Annotated[
-        str | None,
-        value_option(
-            "Power over (yaw rate)^exponent, in W (s/rad)^exponent, or film: a film of"
-            " air under the base.",
-            "NUMBER",
-            "Table",
-        ),
-    ] = None
-    air_exponent: Annotated[
-        str | None, value_option("1.5 to 8; a viscous film has 4. [4]", "NUMBER", "Table")
-    ] = None
-
-
-PARAMETERS: dict[str, Parameter] = {
-    parameter.option: parameter
-    for law in laws.LAWS.values()
-    for parameter in laws.parameters_of(law).values()
-    if not parameter.is_list
+_RESISTING = {
+    one.option: one for kind in RESISTANCES.values() for one in quantities_of(kind).values()
 }
-"""The numbers of all laws by the options that give them."""
 
-_METAVARS = {"m/s": "SPEED"}
 
-if TYPE_CHECKING:
-    LawOptions = _LawOptions
-else:
-    LawOptions = make_dataclass(
-        "LawOptions",
-        [
-            (
-                name,
-                Annotated[
-                    str | None,
-                    value_option(parameter.help, _METAVARS.get(parameter.unit, "NUMBER"), "Table"),
-                ],
-                None,
-            )
-            for name, parameter in PARAMETERS.items()
-            if name not in {field.name for field in fields(ResistanceOptions)}
-        ],
-        bases=(_LawOptions,),
-        frozen=True,
-    )
+@options({"Table": {"restitution": PARAMETERS["restitution"]} | _RESISTING})
+class ResistanceOptions(Texts):
+    """Restitution of landings, and resistances besides friction."""
 
 
 ThreadsOption = Annotated[
@@ -266,3 +230,21 @@ def pairs(option: str, text: str, example: str) -> dict[str, str]:
     if not all(equals for _, equals, _ in parts):
         raise RimrollError(field=option, value=text, bound=f"as in {example}")
     return {name.strip(): value.strip() for name, _, value in parts}
+
+
+def ends(text: str, unit: str, option: str, examples: str) -> tuple[float, float]:
+    """The ends of a range in an SI unit; a unit behind the second goes for both.
+
+    Raises ``RimrollError`` naming the option, with examples, for what is no range that rises.
+    """
+    first, dots, last = text.partition("..")
+    if not dots:
+        raise RimrollError(field=option, value=text, bound=f"a range such as {examples}")
+    if first.strip()[-1:].isdigit():
+        first += last.strip().lstrip("+-−0123456789.eE")
+    elif last.strip()[-1:].isdigit():
+        raise RimrollError(f"must have its unit behind the second number, got {text!r}", option)
+    low, high = quantity(first, unit, option), quantity(last, unit, option)
+    if not low < high:
+        raise RimrollError(f"must rise, got {text!r}", option)
+    return low, high

@@ -12,8 +12,7 @@ import typer
 
 from rimroll.cli.contact import option
 from rimroll.cli.ground import RecordOptions
-from rimroll.cli.options import completing, whole
-from rimroll.cli.ranges import ends
+from rimroll.cli.options import completing, ends, value_option, whole
 from rimroll.errors import RimrollError, choose, typed
 from rimroll.ground.files import read_all
 from rimroll.ground.ground import MAX_FACTOR, Ground
@@ -36,11 +35,11 @@ class RecordsOptions(RecordOptions):
 
     record: Annotated[
         list[Path] | None,
-        typer.Option(
-            help="AT2 or CSV files; more may follow. AT2 files of one earthquake and station (line"
+        value_option(
+            "AT2 or CSV files; more may follow. AT2 files of one earthquake and station (line"
             " 2) are one record; or join the files of a record by commas.",
-            metavar="FILE",
-            rich_help_panel="Ground",
+            "FILE",
+            "Ground",
         ),
     ] = None
     synthetic: Annotated[
@@ -55,11 +54,7 @@ class RecordsOptions(RecordOptions):
     ] = None
     soil_period: Annotated[
         str | None,
-        typer.Option(
-            help="Of the soil under synthetic records. [0.4 s]",
-            metavar="TIME",
-            rich_help_panel="Ground",
-        ),
+        value_option("Of the soil under synthetic records. [0.4 s]", "TIME", "Ground"),
     ] = None
 
 
@@ -89,29 +84,27 @@ class IntensityOptions:
     ] = "vector"
     period: Annotated[
         str | None,
-        typer.Option(help="Natural period of sa.", metavar="TIME", rich_help_panel="Intensity"),
+        value_option("Natural period of sa.", "TIME", "Intensity"),
     ] = None
     damping: Annotated[
         str | None,
-        typer.Option(
-            help="Damping ratio of sa. [5%]", metavar="RATIO", rich_help_panel="Intensity"
-        ),
+        value_option("Damping ratio of sa. [5%]", "RATIO", "Intensity"),
     ] = None
     intensities: Annotated[
         str | None,
-        typer.Option(
-            help="Levels to which each record is scaled: 0.2g..1g, or 0.2g,0.4g,0.8g. [from g R/H"
+        value_option(
+            "Levels to which each record is scaled: 0.2g..1g, or 0.2g,0.4g,0.8g. [from g R/H"
             " of acceleration to where most overturn]",
-            metavar="RANGE",
-            rich_help_panel="Intensity",
+            "RANGE",
+            "Intensity",
         ),
     ] = None
     scale: Annotated[
         str | None,
-        typer.Option(
-            help="Factors on the records as they are, in place of levels: 0.5..3, or 1,2,4.",
-            metavar="RANGE",
-            rich_help_panel="Intensity",
+        value_option(
+            "Factors on the records as they are, in place of levels: 0.5..3, or 1,2,4.",
+            "RANGE",
+            "Intensity",
         ),
     ] = None
     levels: Annotated[
@@ -125,11 +118,11 @@ class IntensityOptions:
     ] = None
     limit: Annotated[
         str | None,
-        typer.Option(
-            help="Largest tilt over the balance tilt that counts as failure, such as 0.5; several"
+        value_option(
+            "Largest tilt over the balance tilt that counts as failure, such as 0.5; several"
             " limit states in a list: 0.25,0.5,overturning. [overturning]",
-            metavar="LIST",
-            rich_help_panel="Intensity",
+            "LIST",
+            "Intensity",
         ),
     ] = None
 

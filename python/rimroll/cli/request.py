@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rimroll import bodies
-from rimroll.bodies.body import Body
+from rimroll.bodies.body import Bodies, Body
+from rimroll.bodies.solids import SIZES
 from rimroll.cli.contact import option, requested_law, with_resistances
 from rimroll.cli.options import (
     BodyOptions,
+    FallOptions,
     LawOptions,
     MotionOptions,
     ResistanceOptions,
@@ -22,14 +24,12 @@ from rimroll.errors import RimrollError, choose
 from rimroll.experiment.release import nudged
 from rimroll.options import FlatLanding, Options, landing_given
 from rimroll.scenario import AFTER, Scenario, load, presets
-from rimroll.state import State
-from rimroll.units import START_UNIT_OF, UNIT_OF, positive, quantity, size_of_body, tilt_angle
+from rimroll.state import START_NUMBERS, State
+from rimroll.units import positive, quantities_of
 
 if TYPE_CHECKING:
     from rimroll.ground.ground import Ground
 
-NUMBERS = ("mass", "radius", "height", "transverse_inertia", "axial_inertia")
-SIZES = (*NUMBERS, "length", "density", "fill")
 DEFAULT = "can_2007"
 
 
@@ -76,7 +76,7 @@ def requested(
             raise RimrollError(f"{preset} and --scenario {file} are both scenario files: give one")
         file, preset = Path(preset), None
     scenario = load(file) if file is not None else None
-    sizes = {name: text for name in SIZES if (text := getattr(body, name)) is not None}
+    sizes = {name: text for name in SIZES if (text := getattr(body, name, None)) is not None}
     what = _body(preset, sizes, scenario)
     options = _options(motion, scenario.options if scenario else Options())
     ground, flat = _shaken(shaking, scenario, file)
@@ -139,18 +139,16 @@ def _body(preset: str | None, sizes: dict[str, str], scenario: Scenario | None) 
     if preset is not None:
         return preset_body(preset, sizes)
     for name in sizes:
-        if name not in NUMBERS:
+        if name not in Bodies._fields:
             raise RimrollError(
                 f"{option(name)} is for a preset: name it, as in cylinder or soda_can"
             )
-    numbers = {
-        name: size_of_body(text, UNIT_OF[name], option(name)) for name, text in sizes.items()
-    }
+    numbers = {name: SIZES[name].read(text, option(name)) for name, text in sizes.items()}
     if scenario is not None:
         return replace(scenario.body, **numbers)
     if not numbers:
         return bodies.by_name(DEFAULT)
-    missing = [option(name) for name in NUMBERS if name not in numbers]
+    missing = [option(name) for name in Bodies._fields if name not in numbers]
     if missing:
         raise RimrollError(f"a body of your own also needs {', '.join(missing)}")
     return Body(**numbers)
@@ -170,23 +168,15 @@ def preset_body(name: str, sizes: dict[str, str]) -> Body:
     for size, parameter in taken.items():
         if parameter.default is parameter.empty and size not in sizes:
             raise RimrollError(f"{name} needs {option(size)}")
-    return function(
-        **{size: size_of_body(text, UNIT_OF[size], option(size)) for size, text in sizes.items()}
-    )
-
-
-def _read(name: str, text: str, unit: str) -> float:
-    if name in ("tilt", "topple_tilt"):
-        return tilt_angle(text, option(name))
-    return quantity(text, unit, option(name))
+    return function(**{size: SIZES[size].read(text, option(size)) for size, text in sizes.items()})
 
 
 def _given(options: StartOptions) -> dict[str, float]:
     """The numbers of a start that options give."""
     return {
-        field.name: _read(field.name, text, START_UNIT_OF[field.name])
-        for field in fields(options)
-        if (text := getattr(options, field.name)) is not None
+        name: one.read(text, option(name))
+        for name, one in START_NUMBERS.items()
+        if (text := getattr(options, name, None)) is not None
     }
 
 
@@ -235,13 +225,22 @@ def _start(given: dict[str, float], start: State | None) -> State | None:
 
 
 def _options(motion: MotionOptions, options: Options) -> Options:
-    units = {"duration": "s", "gravity": "m/s^2", "topple_tilt": "rad", "flat_gap": "m"}
-    given: dict[str, float] = {
-        name: _read(name, text, unit)
-        for name, unit in units.items()
+    given: dict[str, Any] = {
+        name: one.read(text, option(name))
+        for name, one in quantities_of(Options).items()
         if (text := getattr(motion, name, None)) is not None
     }
-    if motion.rtol is not None:
-        given["rtol"] = motion.rtol
-    options = replace(options, **given)  # type: ignore[arg-type]
-    return options if motion.max_steps is None else replace(options, max_steps=motion.max_steps)
+    if motion.max_steps is not None:
+        given["max_steps"] = motion.max_steps
+    return replace(options, **given) if given else options
+
+
+def options_of_falls(given: FallOptions, read: Options, defaults: Options) -> Options:
+    """The options of many falls.
+
+    ``read`` holds the given values. From a scenario file, whose accuracy is that of a
+    single motion, only gravity and topple tilt are used.
+    """
+    own = ("duration", "rtol", "max_steps")
+    names = ("gravity", "topple_tilt", *(name for name in own if getattr(given, name) is not None))
+    return replace(defaults, **{name: getattr(read, name) for name in names})

@@ -22,6 +22,7 @@ from rimroll.cli.options import (
     MotionOptions,
     ResistanceOptions,
     StartOptions,
+    value_option,
     whole,
 )
 from rimroll.cli.request import Request, Shaking, requested
@@ -63,9 +64,7 @@ PointsOption = Annotated[
 ]
 EveryOption = Annotated[
     str | None,
-    typer.Option(
-        help="The same by their spacing, such as 1ms.", metavar="TIME", rich_help_panel="Output"
-    ),
+    value_option("The same by their spacing, such as 1ms.", "TIME", "Output"),
 ]
 
 

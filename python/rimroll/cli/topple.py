@@ -12,12 +12,12 @@ import numpy as np
 import typer
 
 from rimroll.cli.contact import in_words
-from rimroll.cli.fall_options import FallOptions, options_of_falls
 from rimroll.cli.falls import NUMBERS
 from rimroll.cli.formats import STDOUT, Forms, check, pictures, write
 from rimroll.cli.hints import release_hints
 from rimroll.cli.options import (
     BodyOptions,
+    FallOptions,
     JsonOption,
     LawOptions,
     ResistanceOptions,
@@ -26,12 +26,12 @@ from rimroll.cli.options import (
     whole,
 )
 from rimroll.cli.release import ReleaseOptions, release_line, requested_release
-from rimroll.cli.request import Request, requested
+from rimroll.cli.request import Request, options_of_falls, requested
 from rimroll.cli.screen import angle, prose, say, show_json, table, unbroken, working
 from rimroll.cli.turn import body_line
 from rimroll.errors import typed
 from rimroll.experiment.release import Release
-from rimroll.experiment.toppling import counted, let_go, limits
+from rimroll.experiment.toppling import FALLING, counted, let_go, limits
 from rimroll.files.recorded import FELL, ending_in_words
 from rimroll.many.falls import Falls, Interrupted
 
@@ -129,7 +129,7 @@ def _fall(
     threads: int | None,
 ) -> tuple[Falls, bool]:
     """The falls, and whether Ctrl-C cut them short."""
-    options = options_of_falls(motion, what.options)
+    options = options_of_falls(motion, what.options, FALLING)
     named = {"body": what.name}
     with working(f"{what.name} falls") as bar:
         try:

@@ -15,34 +15,63 @@ from uncertainties import UFloat
 from uncertainties.core import Variable
 
 from rimroll.errors import RimrollError
-from rimroll.units import has_uncertainty, quantity, reading, size_of_body, without_unit
+from rimroll.units import (
+    Quantity,
+    has_uncertainty,
+    quantity,
+    reading,
+    size_of_body,
+    table_of,
+    without_unit,
+)
 
-UNITS = {
-    "mass": "kg",
-    "radius": "m",
-    "diameter": "m",
-    "length": "m",
-    "balance_point": "m",
-    "balance_tilt": "rad",
-    "swings": "1",
-    "swings_time": "s",
-    "swing_period": "s",
-    "across_swings": "1",
-    "across_time": "s",
-    "across_period": "s",
-    "swing_amplitude": "rad",
-    "pivot_radius": "m",
-    "pivot_height": "m",
-    "rocking_tilt": "rad",
-    "rocking_time": "s",
-    "slope_length": "m",
-    "slope_height": "m",
-    "slope_angle": "rad",
-    "slope_time": "s",
-    "side_radius": "m",
-    "gravity": "m/s^2",
+READINGS = {
+    "Size": table_of(
+        mass=Quantity("kg", "On the scales."),
+        radius=Quantity("m", "Of the rim that touches the table."),
+        diameter=Quantity("m", "Or this: twice the radius."),
+        length=Quantity("m", "How tall it is, base to top: a check on the others."),
+        gravity=Quantity("m/s^2", "The paper used 9.8. [9.80665 m/s^2]"),
+    ),
+    "Balance (one of them)": table_of(
+        balance_point=Quantity(
+            "m", "Lying across an edge it balances; how far from its base is the edge?"
+        ),
+        balance_tilt=Quantity(
+            "rad", "The tilt at which it stands poised on its rim, without a liquid in it."
+        ),
+    ),
+    "Hung from the rim of its base, swinging along (for A)": table_of(
+        swings=Quantity("1", "Swings there and back, in the plane of pivot and symmetry axis."),
+        swings_time=Quantity("s", "How long they took."),
+        swing_period=Quantity("s", "Or one swing by itself."),
+        swing_amplitude=Quantity("rad", "If it is not small: how far to either side."),
+        pivot_height=Quantity(
+            "m", "If hung elsewhere: pivot above the base, as a mug on its lip. [0]"
+        ),
+        pivot_radius=Quantity("m", "And from the symmetry axis. [that of the rim]"),
+    ),
+    "Instead of swinging along: rocking (for A)": table_of(
+        rocking_tilt=Quantity("rad", "Let go at rest from this tilt of the base;"),
+        rocking_time=Quantity("s", "how long until it is at its highest on the other side."),
+    ),
+    "Swinging across (for C)": table_of(
+        across_swings=Quantity("1", "Swings perpendicular to those along."),
+        across_time=Quantity("s", "How long they took."),
+        across_period=Quantity("s", "Or one swing by itself."),
+    ),
+    "Instead of swinging across: rolling down a slope on its side (for C)": table_of(
+        slope_length=Quantity("m", "The way it rolls from rest."),
+        slope_height=Quantity("m", "How far the slope falls on that way."),
+        slope_angle=Quantity("rad", "Or its angle."),
+        slope_time=Quantity("s", "How long it took."),
+        side_radius=Quantity("m", "Radius of its widest part. [that of the rim]"),
+    ),
 }
-"""The readings, and their SI units."""
+"""The readings by what is done, which has a panel in the help of ``rimroll measure``."""
+
+UNITS = {name: one.unit for numbers in READINGS.values() for name, one in numbers.items()}
+"""The SI unit of each reading."""
 
 HAND = 0.1
 """The smallest uncertainty of a hand-held stopwatch, s, if none is given."""

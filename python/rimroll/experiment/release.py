@@ -16,12 +16,13 @@ from rimroll.errors import RimrollError, choose
 from rimroll.state import State
 from rimroll.theory.closed_forms import balance_tilt
 from rimroll.units import (
-    START_UNIT_OF,
     Number,
+    Quantity,
     in_degrees_hint,
     number,
     positive,
     random_seed,
+    table_of,
     whole_number,
 )
 
@@ -31,6 +32,28 @@ MAX_TRIALS = 10_000_000
 
 SURPLUS = 1.7
 """Ratio of a flick's energy to that needed to topple, since friction takes some of it."""
+
+SPREAD = "_spread"
+"""The end of the name of a standard deviation."""
+
+NUMBERS = table_of(
+    tilt=Quantity("rad", "Mean tilt.", hint="tilt"),
+    tilt_spread=Quantity("rad", "Standard deviation, like all spreads."),
+    tilt_rate=Quantity("rad/s", "Mean tilt rate; negative: flicked upright."),
+    tilt_rate_spread=Quantity("rad/s", "Its spread."),
+    sideways=Quantity(
+        "rad/s", "Rate about the line of lean: the error of aim times the tilt rate."
+    ),
+    sideways_spread=Quantity("rad/s", "Its spread."),
+    twist=Quantity("rad/s", "Rate about the vertical."),
+    twist_spread=Quantity("rad/s", "Its spread."),
+    friction_scale=Quantity(),
+    friction_scale_spread=Quantity(
+        "1", "Spread of the friction, relative to it: 0.1 or 10%.", metavar="PART"
+    ),
+    unsteadiness=Quantity("1", "Multiply the spreads of sideways and twist.", metavar="FACTOR"),
+)
+"""The means and spreads of a release, and a factor on two spreads."""
 
 MIN_CHANCE = 2.0**-54
 """Replaces a random number 0, which has no quantile."""
@@ -188,7 +211,7 @@ def _pair(name: str, value: Any) -> tuple[float, float]:
     given = value if isinstance(value, tuple | list) else (value, 0.0)
     if len(given) != 2:
         raise RimrollError(field=name, value=value, bound="(mean, spread) or a mean")
-    unit = "1" if name == "friction_scale" else START_UNIT_OF.get(name, "rad/s")
+    unit = NUMBERS[name].unit
     mean, spread = number(name, given[0], unit), number(f"{name}_spread", given[1], unit)
     if not math.isfinite(mean):
         raise RimrollError(field=name, value=mean, bound="finite")

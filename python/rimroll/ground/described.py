@@ -11,6 +11,7 @@ from rimroll.errors import RimrollError, choose, typed
 from rimroll.ground.files import read
 from rimroll.ground.ground import MAX_FACTOR, Ground
 from rimroll.ground.pulses import cosine, half_sine, rectangular, ricker, sine
+from rimroll.units import Quantity, table_of
 
 PULSES: dict[str, Callable[..., Ground]] = {
     "sine": sine,
@@ -20,8 +21,22 @@ PULSES: dict[str, Callable[..., Ground]] = {
     "ricker": ricker,
 }
 
-NUMBERS = {"amplitude": "m/s^2", "period": "s", "cycles": "1", "duration": "s", "center": "s"}
-"""The numbers of pulses and their SI units."""
+NUMBERS = table_of(
+    amplitude=Quantity("m/s^2", "Of the pulse: along x, or x,y,z as in 0.3g,1m/s2,0."),
+    period=Quantity("s", "Of sine, cosine and ricker; or x,y,z."),
+    cycles=Quantity("1", "Periods of sine and cosine; or x,y,z. [1]"),
+    duration=Quantity("s", "Of half-sine and rectangular; or x,y,z.", option="pulse_duration"),
+    center=Quantity("s", "Time of the peak of ricker. [two periods]"),
+)
+"""The numbers of pulses."""
+
+CHANGES = table_of(
+    scale=Quantity("1", "Multiply all accelerations.", metavar="FACTOR"),
+    rotation=Quantity(
+        "rad", "Turn the ground about the vertical, from x toward y.", option="rotate"
+    ),
+)
+"""The numbers that change a ground."""
 
 Three = float | list[float]
 """A number, or three (x, y, z)."""

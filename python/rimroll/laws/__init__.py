@@ -26,12 +26,7 @@ from rimroll.laws.law import (
     law_of,
     one_law,
 )
-from rimroll.laws.parameters import (
-    OneLaw,
-    Parameter,
-    in_brief,
-    parameters_of,
-)
+from rimroll.laws.parameters import OneLaw, in_brief
 from rimroll.laws.resistances import AirDrag, PivotingFriction, Resistance, RollingResistance
 
 __all__ = [
@@ -44,7 +39,6 @@ __all__ = [
     "Law",
     "NoSlip",
     "OneLaw",
-    "Parameter",
     "PivotingFriction",
     "Resistance",
     "RollingResistance",
@@ -59,5 +53,4 @@ __all__ = [
     "kind",
     "law_of",
     "one_law",
-    "parameters_of",
 ]

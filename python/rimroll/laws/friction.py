@@ -13,9 +13,9 @@ from rimroll import _core
 from rimroll._core import MAX_FRICTION
 from rimroll.errors import RimrollError, hold
 from rimroll.laws.law import LAWS, Law, contact_law
-from rimroll.laws.parameters import FRICTION, RESTITUTION, STATIC, Parameter, listed
+from rimroll.laws.parameters import FRICTION, RESTITUTION, STATIC, listed
 from rimroll.laws.resistances import Resistances
-from rimroll.units import Number, Values, number
+from rimroll.units import Number, Quantity, Values, number
 from rimroll.units import numbers as array
 
 
@@ -112,10 +112,10 @@ class Stribeck(Law):
 
     friction: float = FRICTION.field()
     static: float | None = STATIC.field(None)
-    stribeck_speed: float = Parameter(
+    stribeck_speed: float = Quantity(
         "m/s", help="For stribeck: slip speed at which static friction fades. [1 cm/s]"
     ).field(0.01)
-    creep_speed: float = Parameter(
+    creep_speed: float = Quantity(
         "m/s", help="For stribeck: slip speed up to which the rim creeps. [1 mm/s]"
     ).field(1e-3)
     restitution: float = RESTITUTION.field(0.0)
@@ -146,10 +146,10 @@ class Viscous(Law):
     color: ClassVar[str] = "#E69F00"
     marker: ClassVar[str] = "v"
 
-    coefficient: float = Parameter(
+    coefficient: float = Quantity(
         "N s/m",
-        "viscous_coefficient",
         'For viscous: friction over slip speed, such as "0.5 N s/m".',
+        option="viscous_coefficient",
     ).field()
     restitution: float = RESTITUTION.field(0.0)
 
@@ -269,8 +269,8 @@ class Tabulated(Law):
     marker: ClassVar[str] = "P"
     can_stick: ClassVar[bool] = True
 
-    speeds: Sequence[float] = Parameter("m/s", is_list=True).field()
-    frictions: Sequence[float] = Parameter(is_list=True).field()
+    speeds: Sequence[float] = Quantity("m/s", is_list=True).field()
+    frictions: Sequence[float] = Quantity(is_list=True).field()
     static: float | None = STATIC.field(None)
     restitution: float = RESTITUTION.field(0.0)
 

@@ -11,17 +11,16 @@ from rimroll.errors import RimrollError, choose, expect, typed
 from rimroll.files.recorded import expect_dataset, is_recorded, not_recorded, recorded
 from rimroll.laws.parameters import (
     OneLaw,
-    Parameter,
     Parameters,
     check,
     listed,
     only_fixed,
-    parameters_of,
     varied_numbers,
 )
 from rimroll.laws.resistances import RESISTANCES, Resistance
 from rimroll.many.falls import Falls
 from rimroll.many.grid import Grid
+from rimroll.units import Quantity, quantities_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -90,7 +89,7 @@ class Law(Parameters):
         """
         own = {
             name: value
-            for name in parameters_of(type(self))
+            for name in quantities_of(type(self))
             if (value := getattr(self, name)) is not None
         }
         for resistance in self.resistances:
@@ -165,7 +164,7 @@ def by_name(name: str, numbers: Mapping[str, float | tuple[float, ...]] | None =
     """
     numbers = numbers or {}
     law = kind(name)
-    takes = parameters_of(law)
+    takes = quantities_of(law)
     for given in numbers:
         if given not in takes:
             choices = ", ".join(takes) or "no numbers"
@@ -189,7 +188,7 @@ def law_of(record: Record) -> Law:
     law = kind(str(record.attrs["law"]))
     own = {
         name: _recorded_number(record, name, parameter)
-        for name, parameter in parameters_of(law).items()
+        for name, parameter in quantities_of(law).items()
         if is_recorded(record, f"law_{name}")
     }
     found = by_name(law.name, own)
@@ -200,7 +199,7 @@ def law_of(record: Record) -> Law:
     return found
 
 
-def _recorded_number(record: Record, name: str, parameter: Parameter) -> Any:
+def _recorded_number(record: Record, name: str, parameter: Quantity) -> Any:
     if parameter.is_list:
         return listed(name, record.attrs[f"law_{name}"])
     return recorded(record, f"law_{name}")

@@ -3,68 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import MISSING, dataclass, field, fields, replace
-from functools import cache
+from dataclasses import MISSING, fields
 from typing import Any, NamedTuple
 
 from rimroll import _core
 from rimroll.errors import RimrollError
 from rimroll.many.grid import Grid, is_array, key, same
+from rimroll.units import Quantity, quantities_of, values
 from rimroll.units import numbers as array
-from rimroll.units import values
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """One of the numbers of a law or resistance, as people give it."""
-
-    unit: str = "1"
-    """SI unit."""
-    option: str = ""
-    """The option of the command line, ``static_friction``; the name of the number unless given."""
-    help: str = ""
-    """The help of the option."""
-    is_list: bool = False
-    """Whether it is a list of numbers, which only files and programs can give."""
-    required: bool = True
-
-    def field(self, default: Any = MISSING) -> Any:
-        """A field of a dataclass that is this parameter."""
-        return field(default=default, metadata={Parameter.__name__: self})
-
-
-def parameters_of(kind: type[Parameters]) -> Mapping[str, Parameter]:
-    """The parameters of a law or resistance by name."""
-    hashable: Any = kind  # mypy takes the __hash__ of its instances for its own
-    return _parameters_of(hashable)
-
-
-@cache
-def _parameters_of(kind: type[Parameters]) -> Mapping[str, Parameter]:
-    return {
-        item.name: replace(
-            parameter,
-            option=parameter.option or item.name,
-            required=item.default is MISSING,
-        )
-        for item in fields(kind)  # type: ignore[arg-type]
-        if (parameter := item.metadata.get(Parameter.__name__)) is not None
-    }
 
 
 class Parameters:
     """A dataclass whose numbers, or arrays of numbers, are checked when it is made."""
 
     def _read(self) -> None:
-        for name, parameter in parameters_of(type(self)).items():
+        for name, parameter in quantities_of(type(self)).items():
             value = getattr(self, name)
             left_out = value is None and getattr(type(self), name, MISSING) is None
             if not left_out:
                 read = listed if parameter.is_list else values
-                object.__setattr__(self, name, read(name, value, self._unit_of(name)))
+                object.__setattr__(self, name, read(name, value, self.unit_of(name, vars(self))))
 
-    def _unit_of(self, name: str) -> str:
-        return parameters_of(type(self))[name].unit
+    @classmethod
+    def unit_of(cls, name: str, numbers: Mapping[str, Any]) -> str:
+        """The SI unit of a number, which may depend on others."""
+        return quantities_of(cls)[name].unit
 
     def __repr__(self) -> str:
         given = ", ".join(
@@ -117,12 +80,12 @@ def in_brief(value: float | tuple[float, ...]) -> str:
     return f"{value:g}"
 
 
-FRICTION = Parameter(help="Friction over normal force while the rim slides.")
-STATIC = Parameter(
+FRICTION = Quantity(help="Friction over normal force while the rim slides.")
+STATIC = Quantity(
     option="static_friction",
     help="Largest friction over normal force while the rim sticks. [as --friction]",
 )
-RESTITUTION = Parameter(help="Restitution of landings, 0 to 1; not for no-slip. [0]")
+RESTITUTION = Quantity(help="Restitution of landings, 0 to 1; not for no-slip. [0]")
 
 
 class OneLaw(NamedTuple):

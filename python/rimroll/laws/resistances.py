@@ -3,21 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from rimroll import _core
-from rimroll.laws.parameters import (
-    Parameter,
-    Parameters,
-    check,
-    only_fixed,
-    parameters_of,
-    varied_numbers,
-)
-from rimroll.units import Number, Values, air_unit, number, positive
+from rimroll.laws.parameters import Parameters, check, only_fixed, varied_numbers
+from rimroll.units import Number, Quantity, Values, air_unit, number, positive, quantities_of
 
 
 class _Resistance(Parameters):
@@ -34,12 +28,12 @@ class _Resistance(Parameters):
     @classmethod
     def core_names(cls) -> list[str]:
         """The core's names of the numbers, in the order of the arguments."""
-        return [f"{cls.core_prefix}_{name}" for name in parameters_of(cls)]
+        return [f"{cls.core_prefix}_{name}" for name in quantities_of(cls)]
 
     @property
     def numbers(self) -> dict[str, float]:
         """The numbers by the core's names, in SI units."""
-        values = (getattr(self, name) for name in parameters_of(type(self)))
+        values = (getattr(self, name) for name in quantities_of(type(self)))
         return dict(zip(self.core_names(), values, strict=True))
 
 
@@ -57,8 +51,12 @@ class RollingResistance(_Resistance):
     """
 
     core_prefix: ClassVar[str] = "rolling"
-    dry: float = Parameter().field(0.0)
-    viscous: float = Parameter("N s/m").field(0.0)
+    dry: float = Quantity(
+        help="Resisting force over normal force, against rolling.", option="rolling_resistance"
+    ).field(0.0)
+    viscous: float = Quantity(
+        "N s/m", "Resisting force over rolling speed, in N s/m.", option="rolling_viscous"
+    ).field(0.0)
 
     if TYPE_CHECKING:
 
@@ -70,7 +68,11 @@ class PivotingFriction(_Resistance):
     """Resistance to turning about the vertical: a moment ``length`` (m) times the normal force."""
 
     core_prefix: ClassVar[str] = "pivoting"
-    length: float = Parameter("m").field()
+    length: float = Quantity(
+        "m",
+        "Resisting moment over normal force, against turning about the vertical.",
+        option="pivoting_friction",
+    ).field()
 
     if TYPE_CHECKING:
 
@@ -92,18 +94,26 @@ class AirDrag(_Resistance):
     """
 
     core_prefix: ClassVar[str] = "air"
-    coefficient: float = Parameter().field()
-    exponent: float = Parameter().field(4.0)
+    coefficient: float = Quantity(
+        help="Power over (yaw rate)^exponent, in W (s/rad)^exponent, or film: a film of air under"
+        " the base.",
+        option="air_drag",
+    ).field()
+    exponent: float = Quantity(
+        help="1.5 to 8; a viscous film has 4. [4]", option="air_exponent"
+    ).field(4.0)
 
     if TYPE_CHECKING:
 
         def __init__(self, coefficient: Values, exponent: Values = 4.0) -> None: ...
 
-    def _unit_of(self, name: str) -> str:
+    @classmethod
+    def unit_of(cls, name: str, numbers: Mapping[str, Any]) -> str:
         if name == "coefficient":
+            exponent = numbers.get("exponent", cls.exponent)
             # Several exponents have no common unit.
-            return "1" if np.ndim(self.exponent) else air_unit(number("exponent", self.exponent))
-        return super()._unit_of(name)
+            return "1" if np.ndim(exponent) else air_unit(number("exponent", exponent))
+        return super().unit_of(name, numbers)
 
     @classmethod
     def film(

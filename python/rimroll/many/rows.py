@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.bodies.body import Bodies, Body
+from rimroll.bodies.solids import SIZES
 from rimroll.errors import RimrollError
 from rimroll.laws import Law, OneLaw
 from rimroll.many.falls import Column, Falls, Interrupted
 from rimroll.many.grid import Grid
-from rimroll.state import State
-from rimroll.units import START_UNIT_OF, UNIT_OF
+from rimroll.state import START_NUMBERS, State
 
 Array = NDArray[np.float64]
 
@@ -166,11 +166,11 @@ def inputs(rows: Rows, varied: Mapping[str, Array], done: int) -> dict[str, Colu
     """The starts, and what differs from row to row of body and law, of the first rows."""
     return {
         **{
-            f"start_{name}": Column(column[:done], START_UNIT_OF[name])
+            f"start_{name}": Column(column[:done], START_NUMBERS[name].unit)
             for name, column in rows.starts._asdict().items()
         },
         **{
-            f"body_{name}": Column(np.broadcast_to(column, rows.grid.size)[:done], UNIT_OF[name])
+            f"body_{name}": Column(np.broadcast_to(column, rows.grid.size)[:done], SIZES[name].unit)
             for name, column in rows.bodies._asdict().items()
             if np.ndim(rows.given[name])
         },

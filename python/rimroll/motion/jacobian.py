@@ -9,8 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll import _core
+from rimroll.bodies.solids import SIZES
 from rimroll.errors import choose
-from rimroll.units import START_UNIT_OF, UNIT_OF
+from rimroll.options import Options
+from rimroll.state import START_NUMBERS
+from rimroll.units import quantities_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -24,7 +27,9 @@ PARAMETERS = tuple(_core.PARAMETERS)
 SHAKEN_PARAMETERS = tuple(_core.SHAKEN_PARAMETERS)
 """The parameters on a table that moves: also ``ground_scale``, a factor on its acceleration."""
 
-UNIT_OF_PARAMETER = {**START_UNIT_OF, **UNIT_OF, "gravity": "m/s^2", "ground_scale": "1"}
+UNIT_OF_PARAMETER = {
+    name: one.unit for name, one in (START_NUMBERS | SIZES | quantities_of(Options)).items()
+} | {"ground_scale": "1"}
 
 _INDEX_OF_QUANTITY = {name: i for i, name in enumerate(QUANTITIES)}
 

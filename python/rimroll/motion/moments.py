@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from rimroll import _core
 from rimroll.bodies.body import Body
-from rimroll.state import State
-from rimroll.units import START_UNIT_OF
+from rimroll.state import START_NUMBERS, State
 
 Array = NDArray[np.float64]
 
@@ -21,7 +20,7 @@ ROW_OF = {name: row for row, name in enumerate(_core.COLUMNS)}
 
 UNITS = {
     "t": "s",
-    **START_UNIT_OF,
+    **{name: one.unit for name, one in START_NUMBERS.items()},
     "axial_spin": "rad/s",
     "x": "m",
     "y": "m",

@@ -10,9 +10,17 @@ import os
 from pathlib import Path
 
 from rimroll.errors import RimrollError
-from rimroll.scenario.scenario import AFTER, FILM, MAX_STEPS, RESISTANCES, Scenario, presets
+from rimroll.scenario.scenario import (
+    AFTER,
+    FILM,
+    MAX_STEPS,
+    RESISTANCES,
+    Scenario,
+    presets,
+    resistance,
+)
 
-__all__ = ["AFTER", "FILM", "MAX_STEPS", "RESISTANCES", "Scenario", "load", "presets"]
+__all__ = ["AFTER", "FILM", "MAX_STEPS", "RESISTANCES", "Scenario", "load", "presets", "resistance"]
 
 
 def load(path: str | os.PathLike[str]) -> Scenario:

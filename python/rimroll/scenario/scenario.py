@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rimroll import bodies
 from rimroll.bodies.body import Body
+from rimroll.errors import RimrollError
 from rimroll.laws import (
     AirDrag,
     Law,
@@ -17,6 +18,7 @@ from rimroll.laws import (
 )
 from rimroll.options import Options
 from rimroll.state import State
+from rimroll.units import quantity
 
 if TYPE_CHECKING:
     from rimroll.ground.ground import Ground
@@ -55,3 +57,25 @@ RESISTANCES: dict[str, type[Resistance]] = {
 
 FILM = "film"
 """The word for the air drag of Moffatt's viscous film under the body."""
+
+
+def resistance(
+    kind: type[Resistance],
+    given: Mapping[str, Any],
+    body: Body,
+    gravity: float,
+    called: Callable[[str], str] = str,
+) -> Resistance:
+    """A resistance from its numbers as a file or options give them.
+
+    ``called`` says what errors call a number. Raises ``RimrollError`` naming the number that is at
+    fault.
+    """
+    if given.get("coefficient") == FILM:
+        if "exponent" in given:
+            raise RimrollError(f"a film has its own exponent, 4: leave out {called('exponent')}")
+        return AirDrag.film(body.radius, gravity=gravity)
+    numbers: dict[str, float] = {}
+    for name in sorted(given, reverse=True):  # the unit of a coefficient depends on the exponent
+        numbers[name] = quantity(given[name], kind.unit_of(name, numbers), called(name))
+    return kind(**numbers)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import json
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from pathlib import Path
@@ -26,23 +26,20 @@ from rimroll import laws
 from rimroll.bodies import solids
 from rimroll.bodies.body import Body
 from rimroll.errors import RimrollError, choose, nearest, typed
-from rimroll.ground.described import NUMBERS, Description
+from rimroll.ground.described import CHANGES, NUMBERS, Description
 from rimroll.ground.ground import Ground
-from rimroll.laws import (
-    AirDrag,
-    Coulomb,
-    Law,
-    NoSlip,
-    PivotingFriction,
-    Resistance,
-    RollingResistance,
-    parameters_of,
-    surfaces,
-)
+from rimroll.laws import Coulomb, Law, NoSlip, Resistance, surfaces
 from rimroll.options import FlatLanding, Options, landing_given
-from rimroll.scenario.scenario import AFTER, FILM, MAX_STEPS, RESISTANCES, Scenario, presets
-from rimroll.state import State
-from rimroll.units import UNIT_OF, air_unit, quantity, size_of_body, tilt_angle
+from rimroll.scenario.scenario import (
+    AFTER,
+    MAX_STEPS,
+    RESISTANCES,
+    Scenario,
+    presets,
+    resistance,
+)
+from rimroll.state import START_NUMBERS, State
+from rimroll.units import Quantity, quantities_of, quantity
 
 SOLIDS: dict[str, Callable[..., solids.Solid]] = {
     "cylinder": solids.cylinder,
@@ -91,34 +88,16 @@ def as_toml(value: object) -> str:
 
 def in_unit(unit: str) -> BeforeValidator:
     """Reads a field of a table as a quantity in an SI unit."""
+    return reading(Quantity(unit))
+
+
+def reading(number: Quantity) -> BeforeValidator:
+    """Reads a field of a table as this number."""
 
     def read(value: object, info: ValidationInfo) -> float:
-        return quantity(readable(value), unit, info.field_name or "the value")
+        return number.read(readable(value), info.field_name or "the value")
 
     return BeforeValidator(read)
-
-
-def _number_of(resistance: type[Resistance], name: str) -> BeforeValidator:
-    """Reads a number of a resistance as a quantity in its SI unit."""
-    return in_unit(parameters_of(resistance)[name].unit)
-
-
-def _tilt(value: object, info: ValidationInfo) -> float:
-    return tilt_angle(readable(value), info.field_name or "the tilt")
-
-
-def _size(unit: str) -> BeforeValidator:
-    """Reads a number of a body or a solid in an SI unit."""
-
-    def read(value: object, info: ValidationInfo) -> float:
-        return size_of_body(readable(value), unit, info.field_name or "the value")
-
-    return BeforeValidator(read)
-
-
-Angle = Annotated[float, in_unit("rad")]
-Tilt = Annotated[float, BeforeValidator(_tilt)]
-AngularRate = Annotated[float, in_unit("rad/s")]
 
 
 class Table(BaseModel):
@@ -139,23 +118,35 @@ class _File(Table):
     simulation: dict[str, Any] = {}
 
 
-class StartTable(Table):
-    tilt: Tilt
-    tilt_rate: AngularRate = 0.0
-    yaw: Angle = 0.0
-    yaw_rate: AngularRate = 0.0
-    spin: Angle = 0.0
-    spin_rate: AngularRate = 0.0
+def defaults_of(function: Callable[..., object]) -> dict[str, Any]:
+    """The arguments of a function that may be left out, and what they are then."""
+    arguments = inspect.signature(function).parameters.values()
+    return {one.name: one.default for one in arguments if one.default is not one.empty}
 
 
-class SimulationTable(Table):
-    duration: Annotated[float, in_unit("s")] = Options.duration
-    gravity: Annotated[float, in_unit("m/s^2")] = Options.gravity
-    rtol: Annotated[float, in_unit("1")] = Options.rtol
-    topple_tilt: Tilt | None = None
+def fields_of(numbers: Mapping[str, Quantity], defaults: Mapping[str, Any]) -> dict[str, Any]:
+    """The fields of a table with these numbers; those without a default must be there."""
+    fields: dict[str, Any] = {}
+    for name, number in numbers.items():
+        hint: Any = Annotated[float, reading(number)]
+        if number.is_list:
+            hint = list[hint]
+        default = defaults.get(name, ...)
+        fields[name] = (hint if default is not None else hint | None, default)
+    return fields
+
+
+StartTable = create_model("start", __base__=Table, **fields_of(START_NUMBERS, defaults_of(State)))
+
+
+class _Simulation(Table):
     max_steps: Annotated[int, Field(gt=0, le=MAX_STEPS)] = Options.max_steps
     flat: Any = None
-    flat_gap: Annotated[float, in_unit("m")] = Options.flat_gap
+
+
+SimulationTable = create_model(
+    "simulation", __base__=_Simulation, **fields_of(quantities_of(Options), defaults_of(Options))
+)
 
 
 def in_three(unit: str) -> BeforeValidator:
@@ -172,7 +163,7 @@ def in_three(unit: str) -> BeforeValidator:
     return BeforeValidator(read)
 
 
-class _Ground(Table):
+class _GroundTable(Table):
     record: str | list[str] = []
     headings: list[str] | None = None
     units: str | None = None
@@ -182,52 +173,29 @@ class _Ground(Table):
     step: Annotated[float | None, in_unit("s")] = None
     time_unit: str | None = None
     pulse: str | None = None
-    amplitude: Annotated[Any, in_three("m/s^2")] = None
-    period: Annotated[Any, in_three("s")] = None
-    cycles: Annotated[Any, in_three("1")] = None
-    duration: Annotated[Any, in_three("s")] = None
-    center: Annotated[Any, in_three("s")] = None
-    scale: Annotated[float | None, in_unit("1")] = None
-    rotation: Annotated[float | None, in_unit("rad")] = None
 
 
-class _Numbers(Table):
-    mass: Annotated[float, _size("kg")]
-    radius: Annotated[float, _size("m")]
-    height: Annotated[float, _size("m")]
-    transverse_inertia: Annotated[float, _size("kg m^2")]
-    axial_inertia: Annotated[float, _size("kg m^2")]
-
-
-class _Rolling(Table):
-    dry: Annotated[float, _number_of(RollingResistance, "dry")] = 0.0
-    viscous: Annotated[float, _number_of(RollingResistance, "viscous")] = 0.0
-
-
-class _Pivoting(Table):
-    length: Annotated[float, _number_of(PivotingFriction, "length")]
-
-
-class _AirDrag(Table):
-    coefficient: Any
-    exponent: Annotated[float, _number_of(AirDrag, "exponent")] = AirDrag.exponent
+_OF_PULSES: dict[str, Any] = {
+    name: (Annotated[Any, in_three(one.unit)], None) for name, one in NUMBERS.items()
+}
+GroundTable = create_model(
+    "ground",
+    __base__=_GroundTable,
+    **_OF_PULSES,
+    **fields_of(CHANGES, dict.fromkeys(CHANGES)),
+)
 
 
 class _Composed(Table):
-    radius: Annotated[float, _size("m")]
+    radius: Annotated[float, reading(solids.SIZES["radius"])]
     solids: list[dict[str, Any]]
 
 
 @cache
 def arguments_of(function: Callable[..., object]) -> type[Table]:
     """A table with a field for each argument of a function that describes a body or a solid."""
-    fields: dict[str, Any] = {
-        name: (
-            Annotated[float, _size(UNIT_OF[name])],
-            ... if parameter.default is parameter.empty else parameter.default,
-        )
-        for name, parameter in inspect.signature(function).parameters.items()
-    }
+    numbers = {name: solids.SIZES[name] for name in inspect.signature(function).parameters}
+    fields = fields_of(numbers, defaults_of(function))
     return create_model(function.__name__, __base__=Table, **fields)
 
 
@@ -270,7 +238,7 @@ def scenario(content: dict[str, Any], folder: Path = Path()) -> Scenario:
     return Scenario(
         body=body,
         start=start,
-        law=read_law(file.law, body, simulation.gravity),
+        law=read_law(file.law, body, options.gravity),
         options=options,
         ground=ground,
         has_duration=has_duration,
@@ -284,7 +252,7 @@ def read_flat(given: object, moves: bool) -> FlatLanding:
 
 def read_ground(given: dict[str, Any], folder: Path) -> Ground:
     """The ground of a table; paths of records are relative to the folder of the file."""
-    table = checked(_Ground, given, "[ground]")
+    table = checked(GroundTable, given, "[ground]")
     names = [table.record] if isinstance(table.record, str) else table.record
     numbers = {name: value for name in NUMBERS if (value := getattr(table, name)) is not None}
     description = Description(
@@ -306,7 +274,7 @@ def read_law(given: object, body: Body, gravity: float) -> Law:
     """The law of a name or of a table, with its resistances."""
     if isinstance(given, str):
         kind = laws.kind(given)
-        missing = [name for name, one in parameters_of(kind).items() if one.required]
+        missing = [name for name, one in quantities_of(kind).items() if one.required]
         if missing:
             table = f'a table [law] with kind = "{typed(kind.name)}" and {missing[0]}'
             raise RimrollError(f'law = "{given}" lacks {missing[0]!r}: write {table}')
@@ -345,39 +313,21 @@ def _contact(table: dict[str, Any]) -> Law:
 
 
 def _numbers_of(kind: type[Law], *but: str) -> type[Table]:
-    """A table with the numbers of a law, without some."""
-    fields: dict[str, Any] = {
-        name: (
-            list[Annotated[float, in_unit(parameter.unit)]] | None
-            if parameter.is_list
-            else Annotated[float | None, in_unit(parameter.unit)],
-            None,
-        )
-        for name, parameter in parameters_of(kind).items()
-        if name not in but
-    }
-    return create_model("law", __base__=Table, **fields)
+    """A table with the numbers of a law, without some; the law says which are missing."""
+    numbers = {name: one for name, one in quantities_of(kind).items() if name not in but}
+    return create_model("law", __base__=Table, **fields_of(numbers, dict.fromkeys(numbers)))
 
 
 def _resistance(name: str, given: object, body: Body, gravity: float) -> Resistance:
-    where = f"[law.{name}]"
+    where, kind = f"[law.{name}]", RESISTANCES[name]
     if not isinstance(given, dict):
         raise RimrollError(f"[law] {name} must be a table, got {as_toml(given)}")
-    if name == "pivoting_friction":
-        return made(where, lambda: PivotingFriction(checked(_Pivoting, given, where).length))
-    if name == "rolling_resistance":
-        rolling = checked(_Rolling, given, where)
-        if not rolling.model_fields_set:
-            raise RimrollError(f"{where} lacks 'dry' or 'viscous'")
-        return made(where, lambda: RollingResistance(**rolling.model_dump()))
-    drag = checked(_AirDrag, given, where)
-    if drag.coefficient == FILM:
-        if "exponent" in drag.model_fields_set:
-            raise RimrollError(f"{where} a film has its own exponent, 4: leave it out")
-        return AirDrag.film(body.radius, gravity=gravity)
-    unit = air_unit(drag.exponent)
-    coefficient = made(where, lambda: quantity(readable(drag.coefficient), unit, "coefficient"))
-    return AirDrag(coefficient, drag.exponent)
+    fields = {key: (Any, ... if one.required else None) for key, one in quantities_of(kind).items()}
+    table = checked(create_model(name, __base__=Table, **fields), given, where)  # type: ignore[call-overload]
+    numbers = {key: readable(getattr(table, key)) for key in table.model_fields_set}
+    if not numbers:
+        raise RimrollError(f"{where} lacks {' or '.join(map(repr, fields))}")
+    return made(where, lambda: resistance(kind, numbers, body, gravity))
 
 
 def read_body(table: dict[str, Any]) -> Body:
@@ -395,7 +345,7 @@ def read_body(table: dict[str, Any]) -> Body:
         return made("[body]", lambda: Body.from_solids(composed.radius, parts))
     if not table:
         raise RimrollError("[body] is empty: give preset, solids or the five numbers of a body")
-    numbers = checked(_Numbers, table, "[body]", "preset", "solids")
+    numbers = checked(arguments_of(Body), table, "[body]", "preset", "solids")
     return made("[body]", lambda: Body(**numbers.model_dump()))
 
 

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from rimroll.bodies.body import Body
 from rimroll.errors import RimrollError
 from rimroll.laws import Law
-from rimroll.laws.parameters import parameters_of
 from rimroll.theory.closed_forms import needed_friction
+from rimroll.units import quantities_of
 
 Array = NDArray[np.float64]
 
@@ -59,10 +59,10 @@ def fitted_names(law: Law, fit: Sequence[str] | None) -> list[str]:
 
 def with_numbers(law: Law, numbers: Mapping[str, float]) -> Law:
     """The law with some of its numbers changed, by the names in ``law.numbers``."""
-    own = {name: numbers[name] for name in parameters_of(type(law)) if name in numbers}
+    own = {name: numbers[name] for name in quantities_of(type(law)) if name in numbers}
     others = []
     for one in law.resistances:
-        names = zip(one.core_names(), parameters_of(type(one)), strict=True)
+        names = zip(one.core_names(), quantities_of(type(one)), strict=True)
         changed: Any = {name: numbers[core] for core, name in names if core in numbers}
         others.append(replace(one, **changed))
     return replace(law, **own, resistances=tuple(others))

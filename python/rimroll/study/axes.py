@@ -13,37 +13,42 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rimroll.bodies.body import Body
+from rimroll.bodies.solids import SIZES
 from rimroll.errors import RimrollError, nearest
-from rimroll.experiment.release import Release
-from rimroll.ground.described import NUMBERS
-from rimroll.laws import LAWS, parameters_of
+from rimroll.experiment.release import NUMBERS as OF_RELEASE
+from rimroll.ground.described import CHANGES, NUMBERS
+from rimroll.laws import LAWS
+from rimroll.options import Options
 from rimroll.scenario import RESISTANCES, presets
 from rimroll.scenario.tables import Table, as_toml, readable
-from rimroll.units import START_UNIT_OF, UNIT_OF, quantity
-
-SPREAD = "_spread"
-"""The end of the name of a standard deviation of a release."""
+from rimroll.state import START_NUMBERS
+from rimroll.units import Quantity, quantities_of, quantity
 
 
 @cache
 def targets() -> Mapping[str, str | None]:
     """The keys that can vary and their SI units; None for those whose values are not numbers."""
+    words = [
+        *("body", "body.preset", "law", "law.kind", "law.surface", "release", "release.preset"),
+        *("ground", "ground.record", "ground.pulse", "simulation.flat"),
+    ]
     return {
+        **dict.fromkeys(words),
         **_of_body(),
         **_of_law(),
-        **{f"start.{name}": unit for name, unit in START_UNIT_OF.items()},
-        **_of_release(),
-        **_of_ground(),
+        **_in_section("start", START_NUMBERS),
+        **_in_section("release", OF_RELEASE),
+        **_in_section("ground", NUMBERS | CHANGES),
+        "ground.synthetic": "1",
         "fit.falls": "1",
         "fit.reading_error": "rad",
         "fit.bias": "rad",
-        "simulation.gravity": "m/s^2",
-        "simulation.duration": "s",
-        "simulation.rtol": "1",
-        "simulation.topple_tilt": "rad",
-        "simulation.flat": None,
-        "simulation.flat_gap": "m",
+        **_in_section("simulation", quantities_of(Options)),
     }
+
+
+def _in_section(section: str, numbers: Mapping[str, Quantity]) -> dict[str, str | None]:
+    return {f"{section}.{name}": None if one.is_list else one.unit for name, one in numbers.items()}
 
 
 def unit_of(target: str) -> str | None:
@@ -60,42 +65,18 @@ def _of_body() -> dict[str, str | None]:
     numbers = [field.name for field in fields(Body)]
     arguments = {name for make in presets().values() for name in inspect.signature(make).parameters}
     return {
-        "body": None,
-        "body.preset": None,
-        **{f"body.{name}": UNIT_OF[name] for name in (*numbers, *sorted(arguments))},
+        **_in_section("body", {name: SIZES[name] for name in (*numbers, *sorted(arguments))}),
         **{f"body.factors.{name}": "1" for name in numbers},
     }
 
 
 def _of_law() -> dict[str, str | None]:
-    found: dict[str, str | None] = {"law": None, "law.kind": None, "law.surface": None}
+    found: dict[str, str | None] = {}
     for kind in LAWS.values():
-        for name, parameter in parameters_of(kind).items():
-            found[f"law.{name}"] = None if parameter.is_list else parameter.unit
+        found |= _in_section("law", quantities_of(kind))
     for table, resistance in RESISTANCES.items():
-        for name, parameter in parameters_of(resistance).items():
-            found[f"law.{table}.{name}"] = parameter.unit
+        found |= _in_section(f"law.{table}", quantities_of(resistance))
     return found
-
-
-def _of_release() -> dict[str, str | None]:
-    found: dict[str, str | None] = {"release": None, "release.preset": None}
-    for field in fields(Release):
-        unit = "1" if field.name == "friction_scale" else START_UNIT_OF.get(field.name, "rad/s")
-        found |= {f"release.{field.name}": unit, f"release.{field.name}{SPREAD}": unit}
-    return found | {"release.unsteadiness": "1"}
-
-
-def _of_ground() -> dict[str, str | None]:
-    return {
-        "ground": None,
-        "ground.record": None,
-        "ground.pulse": None,
-        "ground.synthetic": "1",
-        **{f"ground.{name}": unit for name, unit in NUMBERS.items()},
-        "ground.scale": "1",
-        "ground.rotation": "rad",
-    }
 
 
 MAX_VALUES = 1_000_000

@@ -19,12 +19,12 @@ from numpy.typing import NDArray
 
 from rimroll.errors import RimrollError, nearest
 from rimroll.scenario.tables import as_toml, made
+from rimroll.state import START_NUMBERS
 from rimroll.study.columns import Blocks, Columns, Coordinate, Progress, Variable
 from rimroll.study.description import Description, described
 from rimroll.study.kinds import Cases
 from rimroll.study.setups import STATE, Block
 from rimroll.study.versions import versions
-from rimroll.units import START_UNIT_OF
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -310,8 +310,8 @@ def _columns(description: Description) -> dict[str, Variable]:
         unit = "" if random.unit == "1" else random.unit
         found[random.name] = Variable("float64", dims, unit, comment=f"drawn for {random.of}")
     if _has_starts(description):
-        for name in STATE:
-            found[f"start_{name}"] = Variable("float64", dims, START_UNIT_OF[name])
+        for name, number in START_NUMBERS.items():
+            found[f"start_{name}"] = Variable("float64", dims, number.unit)
         found["friction_scale"] = Variable(
             "float64", dims, "", None, "a factor on the law's friction"
         )

@@ -17,18 +17,20 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, create_model
 
-from rimroll.bodies.body import Body
+from rimroll.bodies.body import Bodies, Body
 from rimroll.errors import RimrollError, choose, hold, nearest
-from rimroll.experiment.release import PRESETS, Release
+from rimroll.experiment import release as releases
+from rimroll.experiment.release import PRESETS, SPREAD, Release
 from rimroll.ground import synthetic
 from rimroll.ground.ground import MAX_FACTOR, Ground
-from rimroll.laws import Law, parameters_of
+from rimroll.laws import Law
 from rimroll.scenario import RESISTANCES, presets
 from rimroll.scenario.tables import (
     StartTable,
     Table,
     as_toml,
     checked,
+    fields_of,
     in_three,
     in_unit,
     made,
@@ -38,8 +40,8 @@ from rimroll.scenario.tables import (
     readable,
 )
 from rimroll.state import State
-from rimroll.study.axes import SPREAD, targets, unit_of
-from rimroll.units import quantity
+from rimroll.study.axes import unit_of
+from rimroll.units import quantities_of, quantity
 
 Codes = NDArray[np.int64]
 
@@ -117,7 +119,7 @@ def part(value: float | NDArray[np.float64], rows: Any) -> Any:
     return value[rows] if isinstance(value, np.ndarray) else value
 
 
-NUMBERS = tuple(field.name for field in fields(Body))
+NUMBERS = Bodies._fields
 
 FACTORS = "factors"
 """The table of factors on the numbers of a body."""
@@ -284,7 +286,7 @@ def _law_with(law: Law, key: str, values: Any) -> Law:
     """A law in which a number is an array."""
     table, dot, name = key.rpartition(".")
     if not dot:
-        assert name in parameters_of(type(law))
+        assert name in quantities_of(type(law))
         changes: Mapping[str, Any] = {name: values}
         return replace(law, **changes)
     kind = RESISTANCES[table]
@@ -392,11 +394,7 @@ def releases_of(release: Any, block: Block, bodies: BodyRows, gravity: Array) ->
 @cache
 def _release_table() -> type[Table]:
     """The table [release], with a field for each mean and each spread."""
-    numbers: dict[str, Any] = {
-        name.partition(".")[2]: (Annotated[float | None, in_unit(str(unit))], None)
-        for name, unit in targets().items()
-        if name.startswith("release.") and unit is not None
-    }
+    numbers = fields_of(releases.NUMBERS, dict.fromkeys(releases.NUMBERS))
     return create_model("release", __base__=Table, preset=(str | None, None), **numbers)
 
 

@@ -14,9 +14,9 @@ from rimroll.bodies.body import Body, one_body
 from rimroll.errors import RimrollError, choose, expect
 from rimroll.laws import NoSlip
 from rimroll.motion import Moments, Motion, simulate
-from rimroll.state import State, single
+from rimroll.state import START_NUMBERS, State, single
 from rimroll.theory.steady import steady_motions
-from rimroll.units import START_UNIT_OF, Number, number
+from rimroll.units import Number, number
 
 LONGEST = 2.0**14
 """How long a nutation is looked for, in units of the time √(R/g)."""
@@ -175,7 +175,7 @@ def resonant_start(
     name = choose("quantity", quantity, {name: name for name in quantities})
     expect("start", start, State)
     release = single(start)
-    low, high = (number("between", value, START_UNIT_OF[name]) for value in between)
+    low, high = (number("between", value, START_NUMBERS[name].unit) for value in between)
 
     def changed(value: float) -> State[float]:
         return replace(release, **{name: value})

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import typer
 
-from rimroll.cli.group import group
+from rimroll.cli.command import group
 
 COMMANDS = {
     "plan": "What a study varies, how much that is, and how long it takes.",
