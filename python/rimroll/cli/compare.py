@@ -15,7 +15,6 @@ from rimroll.cli.hints import hints
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
-    LawOptions,
     MotionOptions,
     ResistanceOptions,
     StartOptions,
@@ -86,7 +85,7 @@ def compare(
     check(files, FORMS)
     rebound = quantity(resistances.restitution or "0", "1", "--restitution")
     others = resistances.with_texts(restitution=None)
-    what = requested(body, start, motion, LawOptions(), others, needs_start=True)
+    what = requested(body, start, motion, None, others, needs_start=True)
     laws = tables(on, rebound, _of_file(what, resistances.restitution))
     outcomes = []
     with working(f"following {what.name}") as bar:

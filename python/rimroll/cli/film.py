@@ -15,10 +15,7 @@ from rimroll.cli.formats import Forms, check, pictures, write, write_json
 from rimroll.cli.gyro import BODY_ERROR
 from rimroll.cli.options import (
     JsonOption,
-    LawOptions,
     MotionOptions,
-    ResistanceOptions,
-    StartOptions,
     pairs,
 )
 from rimroll.cli.request import requested
@@ -110,8 +107,7 @@ def film(
     """
     files = output or []
     check(files, FORMS)
-    motion = MotionOptions(gravity=gravity)
-    what = requested(body, StartOptions(), motion, LawOptions(), ResistanceOptions())
+    what = requested(body, motion=MotionOptions(gravity=gravity))
     taken = read(
         sys.stdin.buffer if str(track) == "-" else track,
         mass=name,

@@ -19,10 +19,7 @@ from rimroll.cli.hints import release_hints
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
-    LawOptions,
     MotionOptions,
-    ResistanceOptions,
-    StartOptions,
     ThreadsOption,
 )
 from rimroll.cli.release import ReleaseOptions, release_line, requested_release
@@ -36,9 +33,12 @@ from rimroll.experiment.fit import fit as fit_directions
 from rimroll.experiment.likelihood import Estimate
 from rimroll.experiment.release import Release
 from rimroll.laws import NoSlip
-from rimroll.units import quantity
+from rimroll.options import Options
+from rimroll.units import quantities_of, quantity
 
 Answer = dict[str, Any]
+
+GRAVITY = quantities_of(Options)["gravity"]
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ ConfidenceOption = Annotated[
 ]
 GravityOption = Annotated[
     str | None,
-    typer.Option(help="The paper used 9.8. [9.80665 m/s^2]", metavar="ACCELERATION"),
+    typer.Option(help=GRAVITY.help, metavar=GRAVITY.metavar),
 ]
 OutputOption = Annotated[
     list[Path] | None,
@@ -161,8 +161,7 @@ def fit(
         column=column,
         lean_column=lean_column,
     )
-    motion = MotionOptions(gravity=gravity)
-    what = requested(body, StartOptions(), motion, LawOptions(), ResistanceOptions())
+    what = requested(body, motion=MotionOptions(gravity=gravity))
     release = requested_release(hand, what)
     if release.tilt_rate[0] > 0.0:
         rate = f"{release.tilt_rate[0]:g} rad/s"

@@ -14,10 +14,7 @@ from rimroll.cli.fitted import fitted, show_fit
 from rimroll.cli.formats import Forms, check, pictures, write, write_json
 from rimroll.cli.options import (
     JsonOption,
-    LawOptions,
     MotionOptions,
-    ResistanceOptions,
-    StartOptions,
     pairs,
 )
 from rimroll.cli.request import requested
@@ -131,8 +128,7 @@ def gyro(
         raise RimrollError("--body-error needs --fit or --resistance: nothing else uses it")
     files = output or []
     check(files, FORMS)
-    motion = MotionOptions(gravity=gravity)
-    what = requested(body, StartOptions(), motion, LawOptions(), ResistanceOptions())
+    what = requested(body, motion=MotionOptions(gravity=gravity))
     taken = read(
         sys.stdin.buffer if str(record) == "-" else record,
         units=units,

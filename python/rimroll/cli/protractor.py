@@ -12,10 +12,6 @@ from rimroll.cli.formats import Forms, check, pictures, write
 from rimroll.cli.options import (
     BodyOptions,
     JsonOption,
-    LawOptions,
-    MotionOptions,
-    ResistanceOptions,
-    StartOptions,
 )
 from rimroll.cli.request import requested
 from rimroll.cli.screen import say, show_json
@@ -51,7 +47,7 @@ def protractor(
     $ rimroll protractor my_cup.toml
     """
     check([output], FORMS)
-    what = requested(body, StartOptions(), MotionOptions(), LawOptions(), ResistanceOptions())
+    what = requested(body)
     from rimroll.experiment import protractor as sheets  # brings matplotlib, which is slow to load
 
     write(output, sheets.sheet(what.body, _title(what.name), paper), FORMS)

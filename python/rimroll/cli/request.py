@@ -56,10 +56,10 @@ class Request(Scenario):
 
 def requested(
     body: BodyOptions,
-    start: StartOptions,
-    motion: MotionOptions,
-    law: LawOptions,
-    resistances: ResistanceOptions,
+    start: StartOptions | None = None,
+    motion: MotionOptions | None = None,
+    law: LawOptions | None = None,
+    resistances: ResistanceOptions | None = None,
     needs_start: bool = False,
     shaking: Shaking | None = None,
 ) -> Request:
@@ -70,6 +70,8 @@ def requested(
 
     Raises ``RimrollError`` naming the option, or the file and its field, that is at fault.
     """
+    start, motion = start or StartOptions(), motion or MotionOptions()
+    law, resistances = law or LawOptions(), resistances or ResistanceOptions()
     file, preset = body.scenario, body.body
     if preset is not None and is_file(preset):
         if file is not None:

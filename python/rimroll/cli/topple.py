@@ -21,7 +21,6 @@ from rimroll.cli.options import (
     JsonOption,
     LawOptions,
     ResistanceOptions,
-    StartOptions,
     ThreadsOption,
     whole,
 )
@@ -106,7 +105,7 @@ def topple(
     """
     paths = output or []
     check(paths, FORMS, json)
-    what = requested(body, StartOptions(), motion, law, resistances)
+    what = requested(body, None, motion, law, resistances)
     release = requested_release(hand, what)
     falls, cut_short = _fall(what, motion, release, number, seed, threads)
     for path in paths:

@@ -15,9 +15,11 @@ from uncertainties import UFloat
 from uncertainties.core import Variable
 
 from rimroll.errors import RimrollError
+from rimroll.options import Options
 from rimroll.units import (
     Quantity,
     has_uncertainty,
+    quantities_of,
     quantity,
     reading,
     size_of_body,
@@ -31,7 +33,7 @@ READINGS = {
         radius=Quantity("m", "Of the rim that touches the table."),
         diameter=Quantity("m", "Or this: twice the radius."),
         length=Quantity("m", "How tall it is, base to top: a check on the others."),
-        gravity=Quantity("m/s^2", "The paper used 9.8. [9.80665 m/s^2]"),
+        gravity=quantities_of(Options)["gravity"],
     ),
     "Balance (one of them)": table_of(
         balance_point=Quantity(

@@ -22,7 +22,10 @@ from rimroll.options import Options
 from rimroll.scenario import RESISTANCES, presets
 from rimroll.scenario.tables import Table, as_toml, readable
 from rimroll.state import START_NUMBERS
-from rimroll.units import Quantity, quantities_of, quantity
+from rimroll.units import Quantity, quantities_of, quantity, table_of
+
+OF_FIT = table_of(falls=Quantity(), reading_error=Quantity("rad"), bias=Quantity("rad"))
+"""The numbers of a simulated experiment."""
 
 
 @cache
@@ -40,9 +43,7 @@ def targets() -> Mapping[str, str | None]:
         **_in_section("release", OF_RELEASE),
         **_in_section("ground", NUMBERS | CHANGES),
         "ground.synthetic": "1",
-        "fit.falls": "1",
-        "fit.reading_error": "rad",
-        "fit.bias": "rad",
+        **_in_section("fit", OF_FIT),
         **_in_section("simulation", quantities_of(Options)),
     }
 

@@ -40,7 +40,7 @@ from rimroll.scenario.tables import (
     readable,
 )
 from rimroll.state import State
-from rimroll.study.axes import unit_of
+from rimroll.study.axes import OF_FIT, unit_of
 from rimroll.units import quantities_of, quantity
 
 Codes = NDArray[np.int64]
@@ -532,10 +532,10 @@ MAX_FALLS = 100_000
 MIN_FALLS = 3
 
 
-class _Experiment(Table):
-    falls: Annotated[float, in_unit("1")] = 42.0
-    reading_error: Annotated[float, in_unit("rad")] = math.radians(2.0)
-    bias: Annotated[float, in_unit("rad")] = math.radians(2.0)
+USUAL = {"falls": 42.0, "reading_error": math.radians(2.0), "bias": math.radians(2.0)}
+"""The experiment of the paper."""
+
+FitTable = create_model("fit", __base__=Table, **fields_of(OF_FIT, USUAL))
 
 
 def experiments_of(table: Mapping[str, Any], block: Block) -> dict[str, Array]:
@@ -543,7 +543,7 @@ def experiments_of(table: Mapping[str, Any], block: Block) -> dict[str, Array]:
 
     Raises ``RimrollError`` for fewer than 3 falls or more than 100 000, and for negative errors.
     """
-    read = checked(_Experiment, dict(table), "[fit]").model_dump()
+    read = checked(FitTable, dict(table), "[fit]").model_dump()
     found = {name: np.full(block.count, value) for name, value in read.items()}
     for one in block.of("fit"):
         found[key_in(one)] = one.array
