@@ -7,11 +7,7 @@
 
 mod dual;
 mod elementary;
-mod fieldwise;
-mod float64;
-mod kernel;
 mod lanes;
-mod outlined;
 mod register;
 mod simd_dispatch;
 #[cfg(target_arch = "x86_64")]
@@ -21,15 +17,12 @@ pub(crate) use elementary::{FloatBits, approx_acosh, approx_asinh, asinh, sin_co
 #[cfg(feature = "ground")]
 pub(crate) use elementary::{sin_cos_of_small, sin_cos_without_branches};
 
-pub(crate) use fieldwise::fieldwise;
-
 pub use dual::{Dual, Slope, Slopes};
-pub(crate) use kernel::{SimdKernel, Task};
 pub(crate) use lanes::{Bits, Mask, Packed, Part, Vector};
 pub use lanes::{LANES, Lanes};
 #[cfg(test)]
 pub(crate) use simd_dispatch::in_every_width;
-pub(crate) use simd_dispatch::{call_vectorized, run_widest};
+pub(crate) use simd_dispatch::{SimdKernel, Task, call_vectorized, run_widest};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use x86::Avx2;
 
@@ -106,3 +99,108 @@ pub trait Scalar: Real {
     /// √(x² + y²).
     fn hypot(self, y: Self) -> Self;
 }
+
+impl Scalar for f64 {
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self
+    }
+
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        libm::atan2(self, x)
+    }
+
+    #[inline]
+    fn hypot(self, y: Self) -> Self {
+        libm::hypot(self, y)
+    }
+}
+
+impl Real for f64 {
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        libm::sincos(self)
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        libm::exp(self)
+    }
+
+    #[inline(always)]
+    fn exp_m1(self) -> Self {
+        elementary::exp_m1(self)
+    }
+
+    #[inline(always)]
+    fn ln(self) -> Self {
+        elementary::ln(self)
+    }
+
+    #[inline(always)]
+    fn approx_ln(self) -> Self {
+        elementary::approx_ln(self)
+    }
+
+    #[inline(always)]
+    fn atan(self) -> Self {
+        elementary::atan(self)
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+
+    #[inline]
+    fn where_negative(self, yes: Self, no: Self) -> Self {
+        if self < 0.0 { yes } else { no }
+    }
+
+    #[inline]
+    fn odd_power(self, n: f64) -> Self {
+        libm::pow(self.abs(), n).copysign(self)
+    }
+}
+
+/// Converts structs of numbers between number types, field by field: implements `map` and `write` for a struct `S<T>`
+/// over the number type `T`. The list of fields has the numbers first and, after a semicolon, the fields that are such
+/// structs themselves.
+macro_rules! fieldwise {
+    ($name:ident { $($number:ident),*; $($part:ident),* }) => {
+        impl<T> $name<T> {
+            /// Converts each number to another number type.
+            #[inline(always)]
+            pub(crate) fn map<U>(&self, f: impl Fn(&T) -> U) -> $name<U> {
+                $name {
+                    $($number: f(&self.$number),)*
+                    $($part: self.$part.map(&f),)*
+                }
+            }
+
+            /// Writes each number into its counterpart.
+            #[inline(always)]
+            pub(crate) fn write<U>(&self, to: &mut $name<U>, f: impl Fn(&T, &mut U)) {
+                $(f(&self.$number, &mut to.$number);)*
+                $(self.$part.write(&mut to.$part, &f);)*
+            }
+        }
+    };
+}
+pub(crate) use fieldwise;

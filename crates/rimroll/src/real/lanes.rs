@@ -5,7 +5,7 @@
 //! are inlined into a caller that is compiled for them, where an operation takes one or two instructions per register.
 
 use super::register::Register;
-use super::{Real, elementary, even_and_odd, outlined};
+use super::{Real, elementary, even_and_odd};
 use core::hint::black_box;
 use core::ops::{Add, Div, Mul, Neg, Not, Sub};
 
@@ -167,7 +167,7 @@ impl<R: Register, const COUNT: usize> Packed<R, COUNT> {
     #[inline(always)]
     fn each(self, f: impl Fn(R) -> R) -> Self {
         if R::OUTLINED {
-            return Packed(outlined::map(&self.0, f));
+            return Packed(call_on_each(&self.0, f));
         }
         let mut result = self;
         for_each_register!(COUNT, i => result.0[i] = f(self.0[i]));
@@ -177,7 +177,7 @@ impl<R: Register, const COUNT: usize> Packed<R, COUNT> {
     #[inline(always)]
     fn each_with(self, other: Self, f: impl Fn(R, R) -> R) -> Self {
         if R::OUTLINED {
-            return Packed(outlined::map_2(&self.0, &other.0, f));
+            return Packed(call_on_pairs(&self.0, &other.0, f));
         }
         let mut result = self;
         for_each_register!(COUNT, i => result.0[i] = f(self.0[i], other.0[i]));
@@ -235,7 +235,7 @@ impl<R: Grouped, const COUNT: usize> Vector for Packed<R, COUNT> {
     #[inline(always)]
     fn at_most(self, other: Self) -> Self::Mask {
         if R::OUTLINED {
-            return Flagged(outlined::map_2(&self.0, &other.0, R::at_most));
+            return Flagged(call_on_pairs(&self.0, &other.0, R::at_most));
         }
         let mut flags = [R::at_most(self.0[0], other.0[0]); COUNT];
         for_each_register!(COUNT - 1, i => flags[i + 1] = R::at_most(self.0[i + 1], other.0[i + 1]));
@@ -247,7 +247,7 @@ impl<R: Register, const COUNT: usize> Mask<Packed<R, COUNT>> for Flagged<R, COUN
     #[inline(always)]
     fn choose(self, yes: Packed<R, COUNT>, no: Packed<R, COUNT>) -> Packed<R, COUNT> {
         if R::OUTLINED {
-            return Packed(outlined::map_3(&self.0, &yes.0, &no.0, R::choose));
+            return Packed(call_on_triples(&self.0, &yes.0, &no.0, R::choose));
         }
         let mut result = no;
         for_each_register!(COUNT, i => result.0[i] = R::choose(self.0[i], yes.0[i], no.0[i]));
@@ -271,7 +271,7 @@ impl<R: Register, const COUNT: usize> Mask<Packed<R, COUNT>> for Flagged<R, COUN
     #[inline(always)]
     fn or(self, other: Self) -> Self {
         if R::OUTLINED {
-            return Flagged(outlined::map_2(&self.0, &other.0, R::or));
+            return Flagged(call_on_pairs(&self.0, &other.0, R::or));
         }
         let mut result = self;
         for_each_register!(COUNT, i => result.0[i] = R::or(self.0[i], other.0[i]));
@@ -281,7 +281,7 @@ impl<R: Register, const COUNT: usize> Mask<Packed<R, COUNT>> for Flagged<R, COUN
     #[inline(always)]
     fn and(self, other: Self) -> Self {
         if R::OUTLINED {
-            return Flagged(outlined::map_2(&self.0, &other.0, R::and));
+            return Flagged(call_on_pairs(&self.0, &other.0, R::and));
         }
         let mut result = self;
         for_each_register!(COUNT, i => result.0[i] = R::and(self.0[i], other.0[i]));
@@ -294,7 +294,7 @@ impl<R: Register, const COUNT: usize> Not for Flagged<R, COUNT> {
     #[inline(always)]
     fn not(self) -> Self {
         if R::OUTLINED {
-            return Flagged(outlined::map(&self.0, R::not));
+            return Flagged(call_on_each(&self.0, R::not));
         }
         let mut result = self;
         for_each_register!(COUNT, i => result.0[i] = R::not(self.0[i]));
@@ -404,7 +404,7 @@ impl<R: Register, const COUNT: usize> Real for Packed<R, COUNT> {
     #[inline(always)]
     fn where_negative(self, yes: Self, no: Self) -> Self {
         if R::OUTLINED {
-            let negative = outlined::map(&self.0, |a| R::less(a, R::all(0.0)));
+            let negative = call_on_each(&self.0, |a| R::less(a, R::all(0.0)));
             return Flagged::<R, COUNT>(negative).choose(yes, no);
         }
         let mut result = no;
@@ -425,8 +425,8 @@ impl<R: Register, const COUNT: usize> elementary::FloatBits for Packed<R, COUNT>
     #[inline(always)]
     fn frexp(self) -> [Self; 2] {
         if R::OUTLINED {
-            let exponent = outlined::map(&self.0, |a| R::frexp(a)[0]);
-            let mantissa = outlined::map(&self.0, |a| R::frexp(a)[1]);
+            let exponent = call_on_each(&self.0, |a| R::frexp(a)[0]);
+            let mantissa = call_on_each(&self.0, |a| R::frexp(a)[1]);
             return [Packed(exponent), Packed(mantissa)];
         }
         let [mut k, mut m] = [self; 2];
@@ -438,6 +438,29 @@ impl<R: Register, const COUNT: usize> elementary::FloatBits for Packed<R, COUNT>
     fn approx_16th_root_of(a: Self, b: Self) -> Self {
         a.each_with(b, R::approx_16th_root_of)
     }
+}
+
+/// Defines functions that act on each element of arrays. They are functions of their own, so that kernels which use them
+/// consist of calls. Such kernels compile in a fraction of the time that inlined operations take, and run slower.
+macro_rules! elementwise {
+    ($($name:ident($($argument:ident: $element:ident),*);)*) => {
+        $(#[inline(never)]
+        fn $name<$($element: Copy,)* Y: Copy, const COUNT: usize>(
+            $($argument: &[$element; COUNT],)*
+            f: impl Fn($($element),*) -> Y,
+        ) -> [Y; COUNT] {
+            let mut result = [f($($argument[0]),*); COUNT];
+            for i in 1..COUNT {
+                result[i] = f($($argument[i]),*);
+            }
+            result
+        })*
+    };
+}
+elementwise! {
+    call_on_each(a: A);
+    call_on_pairs(a: A, b: B);
+    call_on_triples(a: A, b: B, c: C);
 }
 
 #[cfg(test)]

@@ -1,8 +1,28 @@
-//! Selection of the widest SIMD registers of the processor at run time. The results do not depend on the width.
+//! Computations that are compiled for the instructions of a processor, and the selection of its widest SIMD registers at
+//! run time. The results do not depend on the width.
 
-use super::kernel::{SimdKernel, Task};
+use super::lanes::Vector;
 #[cfg(target_arch = "x86_64")]
 use super::x86::{Avx2, Avx512};
+
+/// A computation that is generic over the width of the registers.
+pub(crate) trait SimdKernel {
+    /// The result.
+    type Done;
+
+    /// Runs the computation. This function and every function that it calls with a vector must be
+    /// `#[inline(always)]`.
+    fn run<V: Vector>(self) -> Self::Done;
+}
+
+/// A computation in which compilers use the registers as they like.
+pub(crate) trait Task {
+    /// The result.
+    type Done;
+
+    /// Runs the computation. This function must be `#[inline(always)]`.
+    fn call(self) -> Self::Done;
+}
 
 /// Runs a computation on any processor.
 fn run_anywhere<K: SimdKernel>(kernel: K) -> K::Done {

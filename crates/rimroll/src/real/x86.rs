@@ -16,9 +16,9 @@
 //! takes a [`Vector`](super::Vector) must be `#[inline(always)]`. It must not contain closures or call `map` on an
 //! array, because these would be compiled without AVX and be slow.
 
-use super::kernel::{SimdKernel, Task};
 use super::lanes::{Grouped, LANES, Packed};
 use super::register::{FRACTION, ONE_BITS, ROUNDER, Register, SQRT_HALF_BITS, inlined};
+use super::simd_dispatch::{SimdKernel, Task};
 use core::arch::x86_64::*;
 use core::hint::black_box;
 use std::arch::is_x86_feature_detected;
