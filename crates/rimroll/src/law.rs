@@ -15,16 +15,13 @@
 
 mod coulomb;
 mod flight;
-mod friction_force;
 mod friction_law;
 mod friction_model;
 mod frictionless;
-mod ideal_law;
 mod in_place;
 mod moving_table;
 mod no_slip;
 mod resistance;
-mod rolling_dynamics;
 mod sliding;
 mod stribeck;
 mod tabulated;
@@ -32,20 +29,20 @@ mod viscous;
 
 pub use coulomb::{Coulomb, MAX_FRICTION};
 pub use flight::Flight;
-pub use friction_force::{DryFriction, Friction, FrictionForce};
-pub use friction_law::FrictionLaw;
 pub(crate) use friction_law::SlidingDynamics;
-pub use friction_model::{DryFrictionModel, FrictionModel, NamedParameters};
+pub use friction_law::{FrictionLaw, IdealLaw};
+pub use friction_model::{
+    DryFriction, DryFrictionModel, Friction, FrictionForce, FrictionModel, NamedParameters,
+};
 pub use frictionless::Frictionless;
 use frictionless::NoFriction;
-pub use ideal_law::IdealLaw;
 pub use in_place::InPlace;
 #[cfg(feature = "ground")]
 pub(crate) use moving_table::{Acceleration, across_plane};
 pub(crate) use moving_table::{InertialEffect, Movable, OnTable, Table, rounding_across};
 pub use no_slip::NoSlip;
+pub(crate) use resistance::RollingDynamics;
 pub use resistance::{AirDrag, PivotingFriction, Resistance, Resisted, RollingResistance};
-pub(crate) use rolling_dynamics::RollingDynamics;
 pub use sliding::Sliding;
 pub(crate) use sliding::{DryDynamics, SlidingDry, SundmanScaling};
 pub use stribeck::Stribeck;

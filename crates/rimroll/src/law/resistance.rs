@@ -21,9 +21,12 @@
 //! about the vertical or, for rolling, θ̇ sin φ, the one about e_x1, the horizontal direction in the
 //! plane of the tilt; x₀ = √(g/R)/1000.
 
-use super::{Contact, Dynamics, NamedParameters, Parameters, Response};
+use super::{
+    Contact, Dynamics, FrictionLaw, InPlace, NamedParameters, NoSlip, OnTable, Parameters,
+    Response, Table,
+};
 use crate::error::{InvalidInput, bounded, not_negative};
-use crate::real::Real;
+use crate::real::{Real, Scalar};
 use crate::state::Coordinates;
 
 /// Resistance to the motion of the contact point along the rim.
@@ -368,5 +371,44 @@ impl<T: Real, L: Dynamics<T>> Dynamics<T> for Resisted<L> {
 
     fn is_conservative(&self) -> bool {
         !self.resists && self.dynamics.is_conservative()
+    }
+}
+
+/// The dynamics of a rim that rolls, with resistance.
+#[derive(Clone)]
+pub(crate) enum RollingDynamics<T: Scalar> {
+    /// The rim rolls freely.
+    Freely(Resisted<OnTable<NoSlip<T>, T>>),
+    /// The rim rolls on the circle on which the body stood.
+    InPlace(Resisted<OnTable<InPlace<T>, T>>),
+}
+
+impl<T: Scalar> RollingDynamics<T> {
+    /// The dynamics on a table, with the arguments of [`Resisted::new`].
+    pub(crate) fn new(
+        friction: &FrictionLaw,
+        k: Parameters<T>,
+        table: &Table<T>,
+        resistance: Resistance,
+        tolerance: f64,
+    ) -> Self {
+        match friction {
+            FrictionLaw::InPlace => {
+                let rolling = OnTable::new(InPlace::new(k), table);
+                RollingDynamics::InPlace(Resisted::new(rolling, resistance, tolerance))
+            }
+            _ => {
+                let rolling = OnTable::new(NoSlip::new(k), table);
+                RollingDynamics::Freely(Resisted::new(rolling, resistance, tolerance))
+            }
+        }
+    }
+
+    /// The equations of motion.
+    pub(crate) fn dynamics(&self) -> &dyn Dynamics<T> {
+        match self {
+            RollingDynamics::Freely(dynamics) => dynamics,
+            RollingDynamics::InPlace(dynamics) => dynamics,
+        }
     }
 }
