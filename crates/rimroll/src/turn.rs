@@ -1,20 +1,16 @@
 //! The angle of turn: its limits in closed form, the approach to them, the friction and normal force that
 //! the near-collision requires, and the turn of finite motions by quadrature ([`exact`]).
 
-mod error_law;
+mod closed_forms;
 pub mod exact;
 mod inner_problem;
-mod limiting_turn;
-mod near_collision;
-mod required_forces;
 
-pub use error_law::{error_law, error_law_coefficient};
-pub use inner_problem::{Arrival, Passage, passage, turn_limit_of};
-pub use limiting_turn::{
-    disk_turn_limit, point_mass_turn_limit, tall_turn_limit, turn_limit, turn_limit_with_spin,
+pub use closed_forms::{
+    NearCollision, disk_turn_limit, error_law, error_law_coefficient, lift_off_rate,
+    needed_friction, painleve_friction, point_mass_turn_limit, slip_rate, tall_turn_limit,
+    turn_limit, turn_limit_with_spin,
 };
-pub use near_collision::NearCollision;
-pub use required_forces::{lift_off_rate, needed_friction, painleve_friction, slip_rate};
+pub use inner_problem::{Arrival, Passage, passage, turn_limit_of};
 
 use crate::body::Body;
 use crate::law::{IdealLaw, Parameters};

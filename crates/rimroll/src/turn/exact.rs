@@ -15,7 +15,6 @@
 //! rock and `toppling_batch` starts that topple. `many_bodies` groups many starts by their bodies. `in_place` is the turn
 //! of a body that wobbles in place, for which the tilt also determines the yaw rate.
 
-mod antiderivative;
 mod balance_passage;
 mod batch;
 mod dispatch;
@@ -24,40 +23,36 @@ mod fundamental_solutions;
 mod in_place;
 mod lane_groups;
 mod many_bodies;
-mod near_balance;
 mod no_slip;
 mod quadrature_rule;
 mod rocking_batch;
-mod rule_queue;
 mod scalar;
 mod segments;
-mod sensitivity;
 mod sign_search;
-mod small_oscillation;
-mod start;
+mod small_energy;
 mod tilt_equation;
 mod tilt_extremes;
 mod toppling_batch;
-mod watershed;
 
 use crate::body::Body;
 use crate::error::{InvalidInput, positive};
 use crate::law::{IdealLaw, Parameters};
-use crate::motion::{Fall, Options, Outcome, Status, fall};
-use crate::real::Scalar;
+use crate::motion::{Fall, Options, Outcome, PARAMETERS, Slope, Status, fall};
+use crate::real::{Dual, Scalar, Slopes};
 use crate::state::State;
 use balance_passage::Balance;
 use core::f64::consts::FRAC_PI_2;
 use dispatch::Engine;
 use frictionless::FrictionlessTilt;
 use fundamental_solutions::Fundamental;
+pub use fundamental_solutions::watershed_slope;
 pub use in_place::turn_in_place;
 pub use many_bodies::ExactRows;
 use no_slip::NoSlipTilt;
+#[cfg(feature = "threads")]
+use rayon::prelude::*;
 use scalar::{Quadrature, quadrature_of};
-use start::Start;
-use tilt_equation::{TiltEquation, half_tangent};
-pub use watershed::watershed_slope;
+use tilt_equation::{Start, TiltEquation, half_tangent};
 
 /// Distance in η from the balance point within which a body with its turning point there lingers.
 const LINGERING: f64 = 0.03;
@@ -310,5 +305,92 @@ fn turn_of_fall(fall: &Fall, start: &State) -> ExactTurn {
         min_time: of_turn(|turn| turn.t),
         time: of_turn(|turn| turn.end),
         yaw: fall.end.yaw - start.yaw,
+    }
+}
+
+/// A number with its derivatives with respect to start, body and gravity.
+type Varied = Dual<Slopes<{ PARAMETERS.len() }>>;
+
+impl Exact {
+    /// The derivatives of the turns of many starts with respect to each of [`PARAMETERS`] (rad per SI unit), for
+    /// bodies that rock or topple, by the quadrature in dual numbers. NaN for other outcomes and for the few starts outside the range of the
+    /// quadrature.
+    ///
+    /// # Errors
+    /// As [`Exact::turns`].
+    pub fn turn_slopes(&self, starts: &[State]) -> Result<Vec<Slope>, InvalidInput> {
+        let slopes = self.turn_slopes_while(starts, || true)?;
+        Ok(slopes.expect("nothing has ended the work"))
+    }
+
+    /// The derivatives of the turns of many starts, or `None` if `should_continue` returns false. It is called
+    /// before each start.
+    ///
+    /// # Errors
+    /// As [`Exact::turns`].
+    pub fn turn_slopes_while(
+        &self,
+        starts: &[State],
+        should_continue: impl Fn() -> bool + Sync,
+    ) -> Result<Option<Vec<Slope>>, InvalidInput> {
+        for start in starts {
+            self.check(start)?;
+        }
+        let k = self.varied_parameters();
+        let table = self.table.as_ref().map(|table| Fundamental::like(table, k));
+        let slope = |start: &State| {
+            let slope = || self.slope_of(start, k, table.as_ref());
+            should_continue().then(|| slope().unwrap_or([f64::NAN; PARAMETERS.len()]))
+        };
+        #[cfg(feature = "threads")]
+        let starts = starts.par_iter();
+        #[cfg(not(feature = "threads"))]
+        let starts = starts.iter();
+        Ok(starts.map(slope).collect())
+    }
+
+    fn slope_of(
+        &self,
+        start: &State,
+        k: Parameters<Varied>,
+        table: Option<&Fundamental<Varied>>,
+    ) -> Option<Slope> {
+        if self.is_beyond(start) {
+            return None;
+        }
+        let varied = [
+            (start.tilt, "tilt"),
+            (start.tilt_rate, "tilt_rate"),
+            (start.yaw_rate, "yaw_rate"),
+            (start.spin_rate, "spin_rate"),
+        ];
+        let start = Start::new(varied.map(|(value, name)| along(value, name)));
+        let outcome = match table {
+            Some(table) => self.scalar(&NoSlipTilt::new(table, &start), &k, start),
+            None => self.scalar(&FrictionlessTilt::new(k, &start), &k, start),
+        }?;
+        let known = matches!(outcome.ending, Outcome::Rocked | Outcome::Toppled);
+        let turn = (outcome.down? + outcome.up?).yaw;
+        known.then_some(turn.slope.0)
+    }
+
+    fn varied_parameters(&self) -> Parameters<Varied> {
+        let k = self.parameters;
+        Parameters {
+            m: along(k.m, "mass"),
+            r: along(k.r, "radius"),
+            h: along(k.h, "height"),
+            a: along(k.a, "transverse_inertia"),
+            c: along(k.c, "axial_inertia"),
+            g: along(k.g, "gravity"),
+        }
+    }
+}
+
+/// A dual number whose slope is 1 in the direction of the named parameter.
+fn along(value: f64, name: &str) -> Varied {
+    Dual {
+        value,
+        slope: Slopes(PARAMETERS.map(|parameter| f64::from(u8::from(parameter == name)))),
     }
 }

@@ -4,12 +4,11 @@
 //! need the same quadrature rule share a group of lanes. Rare cases are left to the scalar code.
 
 use super::lane_groups::{Class, Group, Lane, columns};
-use super::near_balance::is_near_balance;
 use super::quadrature_rule::{Choice, RULES};
 use super::rocking_batch::TurnPart;
-use super::rule_queue::RuleQueue;
 use super::scalar::Quadrature;
 use super::segments::Integral;
+use super::small_energy::is_near_balance;
 use super::tilt_equation::SHORT;
 use super::toppling_batch::{ToppleLimits, TopplePart};
 use super::{Exact, ExactTurn, turn_of_quadrature};
@@ -346,6 +345,44 @@ fn integrate_part(
                 }
             }
         }
+    }
+}
+
+/// The end of a list in a [`RuleQueue`].
+const NONE: u32 = u32::MAX;
+
+/// A linked list of starts for each rule. A start is in at most one list.
+struct RuleQueue {
+    /// The first start of each list.
+    first: [u32; RULES],
+    /// For each start, the next in its list.
+    next: Vec<u32>,
+}
+
+impl RuleQueue {
+    /// Empty queues for the given number of starts.
+    fn new(starts: usize) -> RuleQueue {
+        RuleQueue {
+            first: [NONE; RULES],
+            next: vec![NONE; starts],
+        }
+    }
+
+    fn push(&mut self, choice: Choice, start: usize) {
+        let first = &mut self.first[choice.index()];
+        self.next[start] = core::mem::replace(first, start as u32);
+    }
+
+    /// Moves up to [`LANES`] starts from the list of a rule into `group`. Returns false if the list is empty.
+    fn take(&mut self, choice: Choice, group: &mut Vec<usize>) -> bool {
+        let first = &mut self.first[choice.index()];
+        group.clear();
+        while *first != NONE && group.len() < LANES {
+            let start = *first as usize;
+            group.push(start);
+            *first = self.next[start];
+        }
+        !group.is_empty()
     }
 }
 

@@ -9,7 +9,7 @@ use super::no_slip::NoSlipTilt;
 use super::quadrature_rule::{Choice, Rule};
 use super::rocking_batch::{Extremes, TurnPart, extremes, turn_part};
 use super::segments::Integral;
-use super::start::Start;
+use super::tilt_equation::Start;
 use super::tilt_equation::{Conserved, TiltEquation};
 use super::toppling_batch::{
     ToppleLimits, TopplePart, Toppling, falling_back, topple_part, toppling,

@@ -8,7 +8,7 @@
 //! (A + mρ²) φ̇² = 2E − A w² − 2mg (z − H)
 //! ```
 
-use super::start::Start;
+use super::tilt_equation::Start;
 use super::tilt_equation::{
     Conserved, Point, TiltEquation, YawAndTimeRates, gap_beyond, half_tangent_at_rise,
     sin_and_versine,

@@ -12,10 +12,16 @@
 //! regular there; the other is (l₂, s₂) + κ (l₁, s₁) ln y. The method of Frobenius gives the four functions
 //! as power series in φ, which converge for φ < π. They depend on the body alone and are tabulated once per
 //! body, as polynomials in y that interpolate at Chebyshev points.
+//!
+//! Without friction, too, l and s obey linear equations, and the body comes down flat if l = 0 at φ = 0. So the starts
+//! that do lie on a straight line in the plane of yaw and spin rates, whatever the tilt rate and gravity
+//! ([`watershed_slope`]). It separates the starts that come down to the left from those that come down to the right.
 
-use crate::law::Parameters;
+use crate::body::Body;
+use crate::error::{InvalidInput, bounded};
+use crate::law::{IdealLaw, Parameters};
 use crate::real::Real;
-use core::f64::consts::PI;
+use core::f64::consts::{FRAC_PI_2, PI};
 
 /// Number of terms of the power series. At φ = π/2 the last term is about 2⁻⁶⁴ of the first.
 const TERMS: usize = 64;
@@ -251,5 +257,33 @@ fn powers<C: Real>(chebyshev: &[[C; 4]]) -> Vec<[C; 4]> {
 fn combined<'a, C: Real + 'a>(rows: impl Iterator<Item = (f64, &'a [C; 4])>) -> [C; 4] {
     rows.fold([C::from(0.0); 4], |sum, (weight, row)| {
         core::array::from_fn(|j| sum[j] + C::from(weight) * row[j])
+    })
+}
+
+/// Yaw rate over spin rate of the starts at a tilt (rad) that come down flat, dimensionless.
+///
+/// Frictionless: A l + C s cos φ and s are constant and l = 0 at φ = 0, hence
+/// C/(A (1 + cos φ) − C cos φ). No slip: the solution of the linear equations that is regular at φ = 0.
+/// The paper says only that the side depends sensitively on the start.
+///
+/// # Errors
+/// Refuses a tilt outside (0, π/2).
+pub fn watershed_slope(body: &Body, law: IdealLaw, tilt: f64) -> Result<f64, InvalidInput> {
+    let leans = |tilt: f64| 0.0 < tilt && tilt < FRAC_PI_2;
+    bounded("tilt", tilt, leans, "inside (0, pi/2)", "rad")?;
+    let (sin, cos) = libm::sincos(tilt);
+    let (a, c) = (body.transverse_inertia(), body.axial_inertia());
+    Ok(match law {
+        IdealLaw::Frictionless => {
+            // This is a sum of two terms that are not negative. For a flat body, C = 2A, the first one is zero.
+            let half = libm::sin(0.5 * tilt);
+            c / ((2.0 * a - c) * cos + 2.0 * a * half * half)
+        }
+        IdealLaw::NoSlip => {
+            // Gravity does not enter the linear equations.
+            let [l, s] = regular_solution(&Parameters::new(body, 1.0), tilt);
+            let yaw_rate = l / (sin * sin);
+            yaw_rate / (s - yaw_rate * cos)
+        }
     })
 }

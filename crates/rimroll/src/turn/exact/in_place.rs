@@ -7,7 +7,7 @@
 //! ```
 
 use super::scalar::quadrature_of;
-use super::start::Start;
+use super::tilt_equation::Start;
 use super::tilt_equation::{
     Conserved, Point, TiltEquation, gap_beyond, half_tangent_at_rise, sin_and_versine,
 };

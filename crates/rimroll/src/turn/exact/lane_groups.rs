@@ -1,7 +1,7 @@
 //! The starts of a batch, and groups of them in SIMD lanes.
 
-use super::start::Start;
 use super::tilt_equation::Conserved;
+use super::tilt_equation::Start;
 use crate::real::{LANES, Lanes, Packed};
 use crate::state::State;
 

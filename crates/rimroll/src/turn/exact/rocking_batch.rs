@@ -6,8 +6,8 @@
 
 use super::quadrature_rule::{MAX_OUTER, Rule, nodes_from_lowest, nodes_to_highest};
 use super::segments::{Segment, from_lowest, outer_to_highest, short, to_highest};
-use super::small_oscillation::MAX_SPAN;
-use super::start::Start;
+use super::small_energy::MAX_SPAN;
+use super::tilt_equation::Start;
 use super::tilt_equation::{Conserved, FLAT, SHORT, TiltEquation};
 use super::tilt_extremes::{Extreme, lowest_and_highest};
 use crate::real::{Bits, Lanes, Mask, Vector};

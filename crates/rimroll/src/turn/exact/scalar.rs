@@ -1,14 +1,14 @@
 //! The turn of one start, with any outcome.
 
 use super::balance_passage::{Balance, BalancePassage};
-use super::near_balance::{NearBalance, lingers};
 use super::quadrature_rule::{Choice, MAX_OUTER, Rule, nodes_across, nodes_to_highest};
 use super::segments::{Segment, across, from_lowest, short, to_highest};
 use super::sign_search::{
     Energy, Undecided, first_sign_change, first_turning_point, is_positive_between,
 };
-use super::small_oscillation::{MAX_SPAN, SmallOscillation};
-use super::start::Start;
+use super::small_energy::{MAX_SPAN, SmallOscillation};
+use super::small_energy::{NearBalance, lingers};
+use super::tilt_equation::Start;
 use super::tilt_equation::{FLAT, SHORT, TiltEquation};
 use super::tilt_extremes::{Extreme, highest, lowest};
 use crate::law::Parameters;

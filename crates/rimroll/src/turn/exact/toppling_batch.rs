@@ -10,7 +10,7 @@ use super::quadrature_rule::{Rule, nodes_across, nodes_towards};
 use super::rocking_batch::{ROUNDS, is_lowest};
 use super::segments::{MIN_NORMAL_FORCE, Segment, across, from_lowest_toppling};
 use super::sign_search::SAMPLES;
-use super::start::Start;
+use super::tilt_equation::Start;
 use super::tilt_equation::{Conserved, FLAT, Point, TiltEquation};
 use super::tilt_extremes::lowest;
 use crate::motion::Outcome;
