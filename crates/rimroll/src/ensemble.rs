@@ -4,20 +4,17 @@
 //! bit, on the other falls, on their order or on the number of threads. Falls under one of the paper's two
 //! laws or under dry friction are computed in batches of sixteen lanes ([`Lanes`](crate::real::Lanes)):
 //!
-//! * `chunk` and `bounds` hold a chunk of work, the parameters of its bodies and the bounds of a fall;
+//! * `chunk` holds a chunk of work, the parameters of its bodies, the bounds of a fall and a fall in progress;
 //! * `reduced_system` defines the coordinates that a batch carries and their rates under the common laws;
 //! * `lockstep` makes one step of sixteen falls, each with its own body, friction and step size;
 //! * `pool` keeps sixteen lanes filled: it locates the events of a step by shorter steps and replaces each
 //!   completed fall by the next one;
 //! * `slip_onset` integrates slip from rest;
-//! * `batch` computes falls under one law, `dry_friction` the falls under dry friction with their changes of phase.
+//! * `dry_friction` computes the falls under dry friction with their changes of phase.
 //!
 //! All other falls, for example those that fly, land flat on the base or have another contact law, are left
 //! to the scalar solver, [`fall`].
 
-mod active_fall;
-mod batch;
-mod bounds;
 mod chunk;
 mod dry_friction;
 mod lockstep;
@@ -25,16 +22,20 @@ mod pool;
 mod reduced_system;
 mod slip_onset;
 
-pub use self::chunk::Setup;
+pub use chunk::Setup;
 
-use self::batch::{batch, fits_lanes};
+use crate::contact_law::ContactLaw;
 use crate::error::InvalidInput;
-use crate::law::FrictionLaw;
-#[cfg(doc)]
-use crate::motion::fall;
-use crate::motion::{Fall, Options};
+use crate::law::{Coulomb, FrictionLaw};
+use crate::motion::{Fall, Options, Status, fall};
 use crate::parallel::{map_in_order, threads};
+use crate::real::LANES;
+use crate::state::Coordinates;
+use chunk::{ActiveFall, BodyNumbers, Chunk};
 use core::ops::ControlFlow;
+use dry_friction::Dry;
+use pool::{Exit, Pool};
+use reduced_system::{ReducedFrictionless, ReducedNoSlip, ReducedSystem};
 
 /// The maximal size of a chunk of work. In lanes it takes a few hundredths of a second, and the computation can
 /// only be stopped after it.
@@ -99,6 +100,96 @@ fn chunks<'a>(
         let chunk = setups.split_off(..taken.count())?;
         (!chunk.is_empty()).then_some(chunk)
     })
+}
+
+/// Whether falls under a contact law can be computed in lanes.
+fn fits_lanes(contact_law: &ContactLaw) -> bool {
+    use FrictionLaw::{Coulomb, Frictionless, NoSlip};
+    matches!(contact_law.friction, NoSlip | Frictionless | Coulomb { .. }) && !contact_law.resists()
+}
+
+/// The falls of a chunk of setups in order. When `should_continue` returns false before a scalar fall, the result
+/// ends before that fall. The options and the setups must have been checked.
+fn batch(setups: &[Setup<'_>], options: &Options, should_continue: &dyn Fn() -> bool) -> Vec<Fall> {
+    let mut falls = Falls {
+        chunk: Chunk::new(setups, options),
+        done: vec![None; setups.len()],
+    };
+    falls.conservative::<ReducedNoSlip<f64, false>>(FrictionLaw::NoSlip);
+    falls.conservative::<ReducedFrictionless<f64>>(FrictionLaw::Frictionless);
+    let dry = |(_, _, contact_law): &Setup<'_>| {
+        matches!(contact_law.friction, FrictionLaw::Coulomb(Coulomb { .. }))
+            && fits_lanes(contact_law)
+    };
+    if setups.iter().any(dry) {
+        let waiting = (0..setups.len()).filter(|&index| dry(&setups[index]));
+        Dry::new(&falls.chunk, &mut falls.done).follow(waiting);
+    }
+    (0..setups.len())
+        .map_while(|index| {
+            falls.done[index]
+                .take()
+                .or_else(|| should_continue().then(|| falls.scalar_fall(index)))
+        })
+        .collect()
+}
+
+struct Falls<'a> {
+    chunk: Chunk<'a>,
+    done: Vec<Option<Fall>>,
+}
+
+impl Falls<'_> {
+    fn scalar_fall(&self, index: usize) -> Fall {
+        let (body, start, contact_law) = &self.chunk.setups[index];
+        match fall(body, start, contact_law, self.chunk.options) {
+            Ok(fall) => fall,
+            Err(_) => unreachable!("the setups have been checked"),
+        }
+    }
+
+    /// Computes all falls under one of the paper's two laws.
+    fn conservative<A: ReducedSystem<f64, 7>>(&mut self, law: FrictionLaw) {
+        let Falls { chunk, done } = self;
+        let bounds = &chunk.bounds;
+        let waiting = (0..chunk.setups.len()).filter(|&index| {
+            let (.., contact_law) = &chunk.setups[index];
+            contact_law.friction == law && fits_lanes(contact_law)
+        });
+        let mut waiting = waiting.peekable();
+        let Some(&first) = waiting.peek() else { return };
+        let mut pool: Pool<'_, A, 7> = Pool::new(chunk.body(first), bounds);
+        let new_contact = |body: &BodyNumbers| (body.place, A::new(body.parameters, 0.0));
+        let mut contact = new_contact(chunk.body(first));
+        loop {
+            while pool.len() < LANES {
+                let Some(index) = waiting.next() else { break };
+                let (_, start, _) = &chunk.setups[index];
+                let (u, body) = (Coordinates::from_state(start), chunk.body(index));
+                if contact.0 != body.place {
+                    contact = new_contact(body);
+                }
+                if bounds.are_far_from(&u, &body.topple)
+                    && contact.1.contact_margin(&A::project(&u)) > 0.0
+                {
+                    let fall = ActiveFall::new(index, &u, law != FrictionLaw::NoSlip);
+                    pool.put(fall, &u, (body, 0.0), body.error_scale.first_step(&u));
+                }
+            }
+            if pool.len() == 0 {
+                return;
+            }
+            pool.step(|fall, exit, at| {
+                let status = match exit {
+                    Exit::Over(status) => status,
+                    Exit::ContactEnds => Status::LiftedOff,
+                    Exit::SlipEnds | Exit::NeedsScalar => return,
+                };
+                done[fall.index] =
+                    Some(fall.result(&chunk.body(fall.index).parameters, status, at));
+            });
+        }
+    }
 }
 
 #[cfg(test)]

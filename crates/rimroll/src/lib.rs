@@ -72,7 +72,6 @@ pub mod presets;
 pub mod real;
 #[cfg(feature = "ground")]
 pub mod shaking;
-mod slip_onset;
 pub mod small_angle;
 pub mod solids;
 pub mod solve;

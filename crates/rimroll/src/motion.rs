@@ -25,7 +25,7 @@ mod run;
 mod sample_to_sample;
 mod sensitivity;
 mod shaken;
-mod slip_onset;
+pub(crate) mod slip_onset;
 mod step_record;
 mod topple_tilt;
 mod trajectory;

@@ -1,14 +1,11 @@
 //! Falls under dry friction. One pool holds the falls that roll and another those that slide; a fall changes
 //! between them at the transitions of its contact.
 
-use super::active_fall::ActiveFall;
-use super::chunk::{BodyNumbers, Chunk};
+use super::chunk::{ActiveFall, BodyNumbers, Chunk};
 use super::pool::{Exit, Pool};
 use super::reduced_system::{ReducedNoSlip, ReducedSliding, ReducedSystem};
 use super::slip_onset::{OnsetResult, OnsetStart, step_batch};
-use crate::law::Coulomb;
-use crate::law::FrictionLaw;
-use crate::law::{Dynamics, NoSlip};
+use crate::law::{Coulomb, Dynamics, FrictionLaw, NoSlip};
 use crate::motion::{Contacts, Fall, Transition, stopped};
 use crate::real::LANES;
 use crate::state::Coordinates;

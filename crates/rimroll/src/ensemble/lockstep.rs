@@ -1,7 +1,7 @@
 //! A batch of sixteen motions, one in each lane. All lanes make a step at once, each with its own step size,
 //! and each step is accepted or rejected independently of the others.
 
-use super::bounds::Bounds;
+use super::chunk::Bounds;
 use super::reduced_system::ReducedSystem;
 use crate::motion::ToppleTilt;
 use crate::real::{Bits, Lanes, Mask, Part, SimdKernel, Vector, run_widest};
@@ -474,7 +474,7 @@ pub(super) fn lanes_of(mut bits: Bits) -> impl Iterator<Item = usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::bounds::Bounds;
+    use super::super::chunk::Bounds;
     use super::super::reduced_system::{
         ReducedFrictionless, ReducedNoSlip, ReducedSliding, ReducedSystem,
     };

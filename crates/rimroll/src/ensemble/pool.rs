@@ -1,9 +1,7 @@
 //! A pool of sixteen lanes for falls in the same phase. The pool locates the events of each fall. A fall that
 //! ends its phase leaves its lane to the next fall.
 
-use super::active_fall::ActiveFall;
-use super::bounds::Bounds;
-use super::chunk::BodyNumbers;
+use super::chunk::{ActiveFall, BodyNumbers, Bounds};
 use super::lockstep::{EVENT_FUNCTIONS, EventFunction, Lockstep, StepOutcome, lanes_of};
 use super::reduced_system::ReducedSystem;
 use crate::error_scale::ErrorScale;
@@ -409,7 +407,7 @@ fn fraction_crossed(first: (f64, f64), last: (f64, f64)) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::active_fall::ActiveFall;
+    use super::super::chunk::ActiveFall;
     use super::super::chunk::Chunk;
     use super::super::reduced_system::{ReducedSliding, ReducedSystem};
     use super::{Exit, Pool};

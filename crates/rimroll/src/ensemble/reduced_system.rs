@@ -5,8 +5,8 @@ use crate::error_scale::{ErrorScale, slip_speed};
 use crate::law::{
     Coulomb, Dynamics, Frictionless, NoSlip, Parameters, Sliding, SlidingDry, SundmanScaling,
 };
+use crate::motion::slip_onset::{ROUNDING, along_and_across};
 use crate::real::Real;
-use crate::slip_onset::{ROUNDING, along_and_across};
 use crate::state::Coordinates;
 
 /// The equations of one phase in N reduced coordinates.

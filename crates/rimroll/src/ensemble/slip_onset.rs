@@ -14,8 +14,8 @@
 
 use super::reduced_system::{ReducedSliding, ReducedSystem};
 use crate::error_scale::{NEVER_ZERO, direction_scale};
+use crate::motion::slip_onset::{SAFETY, along_and_across, growth, next_step, until_stop};
 use crate::real::{LANES, Lanes, Mask, Packed, SimdKernel, Vector, run_widest};
-use crate::slip_onset::{SAFETY, along_and_across, growth, next_step, until_stop};
 use crate::solve::{Collocation, POINTS, RADAU};
 use crate::state::Coordinates;
 

@@ -4,6 +4,7 @@ use super::flat_landing::{on_first_face, work_in_fall};
 use super::instant::{Instant, Phase};
 use super::level_base::{FLAT_TILT, LevelBase};
 use super::phase_dynamics::PhaseDynamics;
+use super::slip_onset::{ROUNDING, along_and_across, rotated};
 use crate::body::Body;
 use crate::contact_law::ContactLaw;
 use crate::ending::FACE_DOWN_TILT;
@@ -14,7 +15,6 @@ use crate::law::{
     DryDynamics, Dynamics, DynamicsExt, FrictionLaw, Parameters, Resistance, Response, Table,
 };
 use crate::real::{Dual, Real, Scalar};
-use crate::slip_onset::{ROUNDING, along_and_across, rotated};
 use crate::state::Coordinates;
 use core::f64::consts::{FRAC_PI_2, TAU};
 use std::borrow::Cow;

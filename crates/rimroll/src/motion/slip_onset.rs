@@ -11,11 +11,13 @@
 //! friction is only just exceeded. So r and δ replace the components of the slip, and the steps are made by
 //! collocation, with Newton's method for δ and fixed-point iteration for everything else. Explicit steps
 //! take over as soon as the equations are not stiff for them.
+//!
+//! The onsets of a batch (`ensemble/slip_onset`) share the rules at the end of this file.
 
 use super::phase_system::PhaseSystem;
 use crate::error_scale::direction_scale;
 use crate::law::DryDynamics;
-use crate::slip_onset::{SAFETY, along_and_across, growth, next_step, rotated, until_stop};
+use crate::real::Real;
 use crate::solve::{Collocation, Dense, POINTS, solved};
 use crate::state::{COORDINATES, Coordinates};
 
@@ -27,6 +29,14 @@ const MAX_STEPS: usize = 400;
 
 /// A step in which the rates grow by more than this factor is rejected.
 const MAX_RATE_GROWTH: f64 = 10.0;
+
+/// A slip begins if its acceleration exceeds −`ROUNDING` times the scale of the accelerations. At loose tolerances
+/// sin² φ + cos² φ differs from 1 by up to about 1e-8, and the condition for slip in the rolling and in the sliding
+/// equations agrees only to that accuracy.
+pub(crate) const ROUNDING: f64 = 1e-6;
+
+/// The safety factor of the step size.
+pub(crate) const SAFETY: f64 = 0.8;
 
 /// The steps of an onset and the size of the next one.
 pub(super) struct Onset {
@@ -358,4 +368,32 @@ struct Scales {
     at: [f64; COORDINATES],
     speed: f64,
     turn: f64,
+}
+
+/// The components of a horizontal vector along a unit vector and across it.
+#[inline(always)]
+pub(crate) fn along_and_across<T: Real>([x, y]: [T; 2], [unit_x, unit_y]: [T; 2]) -> [T; 2] {
+    [x * unit_x + y * unit_y, y * unit_x - x * unit_y]
+}
+
+/// A unit vector rotated by an angle.
+pub(crate) fn rotated(e: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sin, cos) = libm::sincos(angle);
+    [e[0] * cos - e[1] * sin, e[1] * cos + e[0] * sin]
+}
+
+/// The time until a slip of this speed stops if the rate of the speed stays the same.
+#[inline(always)]
+pub(crate) fn until_stop<T: Real>(speed: T, rate: T) -> T {
+    speed / (-rate).max(T::from(0.0))
+}
+
+/// The factor from one step size to the next, within the bounds after an accepted step.
+pub(crate) fn growth(factor: f64) -> f64 {
+    factor.clamp(0.3, 4.0)
+}
+
+/// The size of the next step, which must not pass the end of a slip that is about to stop.
+pub(crate) fn next_step(h: f64, growth: f64, until_stop: f64) -> f64 {
+    (h * growth).min(0.9 * until_stop)
 }

@@ -33,9 +33,9 @@ use crate::motion::flat_landing::{
 };
 use crate::motion::instant::Phase;
 use crate::motion::level_base::{FLAT_TILT, LevelMotion, UPLIFT_TILT, levelled};
+use crate::motion::slip_onset::along_and_across;
 use crate::motion::step_record::StepRecord;
 use crate::real::{Dual, Real, Scalar};
-use crate::slip_onset::along_and_across;
 use crate::state::{COORDINATES, Coordinates, TIME};
 use crate::turn::inertias_of;
 use core::f64::consts::PI;
