@@ -1,6 +1,6 @@
 //! A rigid body on a base that is a regular polygon.
 
-use super::vector::{Vector, cross, dot, length, minus, plus, times};
+use super::{Vector, cross, dot, length, minus, plus, times};
 use crate::body::Body;
 use crate::error::{InvalidInput, bounded, positive};
 use core::f64::consts::PI;

@@ -1,12 +1,12 @@
 //! The computed motion of a body with corners.
 
 use super::body::PolygonalBody;
-use super::step_record::{Instant, StepRecord};
-use super::support::Support;
+use super::pose::{COORDINATES, Pose};
+use super::support::{Support, SupportedBody};
 use crate::ending::Status;
 use crate::motion::Turn;
 use crate::number_format::{AngleUnit, formatted_time};
-use crate::solve::Work;
+use crate::solve::{Dense, Work};
 use crate::state::State;
 
 /// The quantities of [`Observables`], in order.
@@ -226,5 +226,127 @@ impl Instant {
             kinetic + potential,
             self.lost,
         ]
+    }
+}
+
+/// The turns between the events of a motion.
+///
+/// As a corner follows another, the tilt has a small maximum in between. So only maxima count between which the tilt falls
+/// below half of the lower one; as a round body's turn, the first begins at the release or at the maximum that follows.
+pub(super) fn turns(start: &Instant, events: &[PolygonEvent], end: &Instant) -> Vec<Turn> {
+    let mut turns = Vec::new();
+    let mut high = Extremum::of(start);
+    let mut low: Option<Extremum> = None;
+    let mut next: Option<Extremum> = None;
+    let places = events.iter().map(|event| &event.at).chain([end]);
+    for at in places.map(Extremum::of) {
+        match (&mut low, &mut next) {
+            (None, _) if at.tilt() >= high.tilt() => high = at,
+            (None, _) if at.tilt() < 0.5 * high.tilt() => low = Some(at),
+            (None, _) => {}
+            (Some(lowest), None) if at.tilt() < lowest.tilt() => *lowest = at,
+            (Some(lowest), None) if at.tilt() > 2.0 * lowest.tilt() => next = Some(at),
+            (Some(_), None) => {}
+            (Some(_), Some(highest)) if at.tilt() >= highest.tilt() => *highest = at,
+            (Some(lowest), Some(highest)) if at.tilt() < 0.5 * highest.tilt() => {
+                turns.push(Extremum::turn(&high, lowest, highest));
+                high = *highest;
+                low = Some(at);
+                next = None;
+            }
+            (Some(_), Some(_)) => {}
+        }
+    }
+    if let (Some(lowest), Some(highest)) = (low, next)
+        && highest.t < end.t
+    {
+        turns.push(Extremum::turn(&high, &lowest, &highest));
+    }
+    turns
+}
+
+#[derive(Clone, Copy)]
+struct Extremum {
+    t: f64,
+    state: State,
+}
+
+impl Extremum {
+    fn of(at: &Instant) -> Extremum {
+        Extremum {
+            t: at.t,
+            state: at.state(),
+        }
+    }
+
+    fn tilt(&self) -> f64 {
+        self.state.tilt
+    }
+
+    fn turn(from: &Extremum, low: &Extremum, to: &Extremum) -> Turn {
+        Turn {
+            angle: to.state.yaw - from.state.yaw,
+            min_tilt: low.state.tilt,
+            t: low.t,
+            yaw_rate: low.state.yaw_rate,
+            start: from.t,
+            end: to.t,
+            max_tilt: to.state.tilt,
+        }
+    }
+}
+
+/// A step, or a jump of no length.
+pub(super) struct StepRecord {
+    /// The time at its start, s.
+    pub t: f64,
+    pub dense: Dense<f64, COORDINATES>,
+    /// The fraction of the step at which the segment ends.
+    pub until: f64,
+    pub supported: SupportedBody,
+    /// See [`SupportedBody::center`].
+    pub anchor: [f64; 2],
+    /// The energy that impacts have taken so far, J.
+    pub lost: f64,
+}
+
+/// The body at one time.
+#[derive(Clone, Copy)]
+pub(super) struct Instant {
+    pub t: f64,
+    pub pose: Pose,
+    pub supported: SupportedBody,
+    pub anchor: [f64; 2],
+    pub lost: f64,
+}
+
+impl StepRecord {
+    /// A jump to this instant.
+    pub fn jump(to: &Instant) -> StepRecord {
+        StepRecord {
+            t: to.t,
+            dense: Dense::empty(to.pose.into_array()),
+            until: 1.0,
+            supported: to.supported,
+            anchor: to.anchor,
+            lost: to.lost,
+        }
+    }
+
+    /// The time at its end, s.
+    pub fn end(&self) -> f64 {
+        self.t + self.until * self.dense.h
+    }
+
+    /// At a fraction of the segment.
+    pub fn at(&self, fraction: f64) -> Instant {
+        let x = fraction * self.until;
+        Instant {
+            t: self.t + x * self.dense.h,
+            pose: Pose::from_array(&self.dense.at(x)),
+            supported: self.supported,
+            anchor: self.anchor,
+            lost: self.lost,
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Position and motion of a body with corners, in coordinates that are regular where it stands flat.
 
-use super::vector::{Vector, cross, length, times};
+use super::{Vector, cross, length, times};
 use crate::state::State;
 use core::f64::consts::FRAC_PI_2;
 

@@ -3,18 +3,15 @@
 use super::body::PolygonalBody;
 use super::event_detector::{EventDetector, StepEvent, touching, touching_gap};
 use super::impact::{self, AfterImpact, Allowed};
-use super::motion::{PolygonEvent, PolygonEventKind, PolygonMotion};
-use super::pose::Pose;
-use super::rebound;
-use super::step_record::{Instant, StepRecord, Steps};
+use super::motion::{self, Instant, PolygonEvent, PolygonEventKind, PolygonMotion, StepRecord};
+use super::pose::{COORDINATES, Pose, SUPPORTED};
 use super::support::{Support, SupportedBody};
-use super::turns::turns;
-use super::vector::{dot, length};
+use super::{dot, length};
 use crate::ending::Status;
 use crate::error::{InvalidInput, bounded, positive};
 use crate::law::IdealLaw;
 use crate::motion::STANDARD_GRAVITY;
-use crate::solve::Work;
+use crate::solve::{Dense, Stepper, Stuck, Work};
 use crate::state::State;
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::ControlFlow;
@@ -110,7 +107,7 @@ pub fn simulate(
         Some(status) => status,
         None => run.follow(watch),
     };
-    let turns = turns(&run.first, &run.events, &run.now);
+    let turns = motion::turns(&run.first, &run.events, &run.now);
     Ok(PolygonMotion {
         body: *body,
         start: run.first,
@@ -392,7 +389,7 @@ impl<'a> Run<'a> {
             supported, pose, ..
         } = self.now;
         let pose = pose.normalised();
-        let free = rebound::resolve(&supported, &pose, touching, self.options.restitution);
+        let free = impact::resolve(&supported, &pose, touching, self.options.restitution);
         let chatters = |after: &AfterImpact| {
             let down = after.supported.corners();
             let others = touching.iter().filter(|k| !down.contains(k));
@@ -466,4 +463,50 @@ fn hops_back(after: &AfterImpact, k: i64) -> bool {
     let rate = supported.gap(pose, k).1;
     let acceleration = supported.gap_acceleration(pose, k);
     acceleration < 0.0 && rate * rate < -2.0 * acceleration * HOP * touching_gap(supported, pose)
+}
+
+/// The steps of a phase.
+enum Steps<'a> {
+    OnSupport(
+        &'a SupportedBody,
+        Box<Stepper<'a, SupportedBody, SUPPORTED>>,
+    ),
+    InFlight(
+        &'a SupportedBody,
+        Box<Stepper<'a, SupportedBody, COORDINATES>>,
+    ),
+}
+
+impl<'a> Steps<'a> {
+    /// From a pose, with a first guess of the step (s) and a tolerance.
+    fn new(supported: &'a SupportedBody, from: &Pose, h: f64, tolerance: f64) -> Steps<'a> {
+        match supported.support.is_flight() {
+            true => {
+                let stepper = Stepper::new(supported, from.into_array(), h, tolerance);
+                Steps::InFlight(supported, Box::new(stepper))
+            }
+            false => {
+                let stepper = Stepper::new(supported, from.on_support(), h, tolerance);
+                Steps::OnSupport(supported, Box::new(stepper))
+            }
+        }
+    }
+
+    fn work(&self) -> Work {
+        match self {
+            Steps::OnSupport(_, stepper) => stepper.work,
+            Steps::InFlight(_, stepper) => stepper.work,
+        }
+    }
+
+    /// The next step as a polynomial.
+    fn advance(&mut self) -> Result<Dense<f64, COORDINATES>, Stuck> {
+        match self {
+            Steps::OnSupport(supported, stepper) => {
+                let step = stepper.advance()?.dense(*supported);
+                Ok(step.widened(&[0.0; COORDINATES]))
+            }
+            Steps::InFlight(supported, stepper) => Ok(stepper.advance()?.dense(*supported)),
+        }
+    }
 }

@@ -16,7 +16,7 @@
 
 use super::body::PolygonalBody;
 use super::pose::{COORDINATES, Pose, SUPPORTED};
-use super::vector::{Vector, cross, dot, minus, plus, times};
+use super::{Vector, cross, dot, minus, plus, times};
 use crate::law::IdealLaw;
 use crate::solve::System;
 
