@@ -10,7 +10,6 @@ mod dop853;
 mod implicit;
 mod root;
 mod stage_sums;
-mod step_control;
 mod stepper;
 pub(crate) mod tableau;
 
@@ -19,8 +18,7 @@ pub use dense_output::Dense;
 pub use dop853::Step;
 pub use implicit::{Implicit, ImplicitStep};
 pub use root::{bracketed_root, bracketed_root_in};
-pub use step_control::ErrorEstimate;
-pub use stepper::Stepper;
+pub use stepper::{ErrorEstimate, Stepper};
 
 use crate::real::Real;
 
