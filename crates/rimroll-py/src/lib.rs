@@ -4,13 +4,10 @@ mod arguments;
 mod bodies;
 mod ensemble;
 mod exact;
-mod followed;
 mod ground;
-mod imperfection;
 mod motion;
 mod polygon;
 mod shaking;
-mod steady;
 mod theory;
 mod watched;
 
@@ -34,8 +31,6 @@ mod _core {
     #[pymodule_export]
     use crate::ground::CoreGround;
     #[pymodule_export]
-    use crate::imperfection::imperfect_rim;
-    #[pymodule_export]
     use crate::motion::{CoreMotion, simulate};
     #[pymodule_export]
     use crate::polygon::{
@@ -44,16 +39,13 @@ mod _core {
     #[pymodule_export]
     use crate::shaking::{first_refused_shaking, shake_many};
     #[pymodule_export]
-    use crate::steady::{
-        critical_rolling_spin, critical_spinning_rate, nutation_ratio, spinning_rate,
-        steady_motions, steady_wobble_rate,
-    };
-    #[pymodule_export]
     use crate::theory::{
         CoreComposite, CoreNearCollision, arrival, balance_tilt, check_contact_law,
-        disk_turn_limit, error_law_coefficient, first_bad_contact_law, friction_at, lift_off_rate,
-        needed_friction, painleve_friction, passage, point_mass_turn_limit, slip_rate,
-        tall_turn_limit, turn_limit, turn_limit_with_spin, watershed_slope,
+        critical_rolling_spin, critical_spinning_rate, disk_turn_limit, error_law_coefficient,
+        first_bad_contact_law, friction_at, imperfect_rim, lift_off_rate, needed_friction,
+        nutation_ratio, painleve_friction, passage, point_mass_turn_limit, slip_rate,
+        spinning_rate, steady_motions, steady_wobble_rate, tall_turn_limit, turn_limit,
+        turn_limit_with_spin, watershed_slope,
     };
 
     #[pymodule_init]

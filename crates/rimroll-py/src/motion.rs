@@ -1,8 +1,8 @@
 //! `simulate`, and the tables of numbers that describe a motion.
 
 use crate::arguments::{BodyArgument, ContactLawArgument, RimrollError, StateArgument};
-use crate::followed::followed;
 use crate::ground::{CoreGround, FlatArgument, flat_landing};
+use crate::watched::followed;
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rimroll::motion::{

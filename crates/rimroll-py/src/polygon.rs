@@ -1,8 +1,8 @@
 //! Bodies with corners, and their motions.
 
 use crate::arguments::{BodyArgument, StateArgument, ideal_law, refusal};
-use crate::followed::followed;
 use crate::motion::{TurnNumbers, angle_unit, in_columns, turn_numbers};
+use crate::watched::followed;
 use numpy::{PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rimroll::polygon::{PolygonMotion, PolygonOptions, PolygonalBody, simulate};

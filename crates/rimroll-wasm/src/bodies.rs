@@ -1,7 +1,6 @@
 //! Bodies: presets, and those that the visitor composes.
 
-use crate::arguments::{Arguments, SHAPES, named};
-use crate::exchange::{answer, name, unless_refused};
+use crate::exchange::{Arguments, SHAPES, answer, name, named, unless_refused};
 use rimroll::{Body, InvalidInput, presets as ready};
 
 /// The numbers of the preset at an index of [`NAMES`](ready::NAMES). Its argument is the filled fraction or the

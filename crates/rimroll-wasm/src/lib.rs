@@ -6,12 +6,10 @@
 //! and leaves the core's error message as the text.
 //!
 //! Bodies, contact laws, starts and options are sequences of numbers in the order of their fields; see
-//! `arguments`.
+//! `exchange::Arguments`.
 
-mod arguments;
 mod bodies;
 mod exchange;
-mod falls;
 mod motion;
 #[cfg(feature = "ground")]
 mod shaken;

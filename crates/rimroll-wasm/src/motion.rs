@@ -1,9 +1,10 @@
-//! Whole motions, kept in memory while the page uses them.
+//! Whole motions, kept in memory while the page uses them, and falls, of which only the outcome is returned.
 
-use crate::arguments::Arguments;
-use crate::exchange::{answer, name, say, unless_refused};
+use crate::exchange::{Arguments, answer, name, say, unless_refused};
 use core::ops::ControlFlow;
-use rimroll::motion::{COLUMNS, Instant, Observables, SPEED_OF_SOUND, UNEVENNESS};
+use rimroll::motion::{
+    COLUMNS, Fall, Instant, Observables, Outcome, SPEED_OF_SOUND, UNEVENNESS, fall,
+};
 use rimroll::{FrictionLaw, InvalidInput, Motion};
 
 /// Simulates the motion of a body from a start under a contact law and keeps it until [`forget`] is called;
@@ -137,4 +138,51 @@ pub extern "C" fn message(motion: &Motion) {
 fn provide_moments(motion: &Motion, instants: &[Instant]) {
     let rows: Vec<Observables> = instants.iter().map(|at| motion.observables(at)).collect();
     answer((0..COLUMNS.len()).flat_map(|column| rows.iter().map(move |row| row[column])));
+}
+
+/// Simulates a body through its first turn from each of many starts. Arguments: body, contact law, options,
+/// then for each fall its start and a factor of the friction. The result has for each fall the index of its
+/// outcome in [`outcomes`], the angle of turn and the smallest tilt (NaN if there is no turn), and the time,
+/// tilt and yaw of its end.
+///
+/// The falls are computed one by one. Batches of sixteen would be faster, but would make the page half again
+/// as large to load.
+#[unsafe(no_mangle)]
+pub extern "C" fn falls() -> bool {
+    let Some(falls) = unless_refused(followed(Arguments::new())) else {
+        return false;
+    };
+    answer(falls.iter().flat_map(|fall| {
+        let turn = fall.turn.as_ref();
+        [
+            f64::from(fall.outcome as u8),
+            turn.map_or(f64::NAN, |turn| turn.angle),
+            turn.map_or(f64::NAN, |turn| turn.min_tilt),
+            fall.end.t,
+            fall.end.tilt,
+            fall.end.yaw,
+        ]
+    }));
+    true
+}
+
+/// The names of the outcomes.
+#[unsafe(no_mangle)]
+pub extern "C" fn outcomes() {
+    name(Outcome::ALL.map(Outcome::name));
+}
+
+fn followed(mut arguments: Arguments) -> Result<Vec<Fall>, InvalidInput> {
+    let (body, contact_law, options) = (
+        arguments.body()?,
+        arguments.contact_law()?,
+        arguments.options(),
+    );
+    let mut falls = Vec::new();
+    while arguments.any_left() {
+        let start = arguments.start();
+        let contact_law = contact_law.clone().with_friction_scaled(arguments.number());
+        falls.push(fall(&body, &start, &contact_law, &options)?);
+    }
+    Ok(falls)
 }

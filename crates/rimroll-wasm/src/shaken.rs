@@ -1,7 +1,6 @@
 //! Motions on a table that moves: what the page loads only when a visitor shakes the floor.
 
-use crate::arguments::{Arguments, named};
-use crate::exchange::{answer, name, unless_refused};
+use crate::exchange::{Arguments, answer, name, named, unless_refused};
 use crate::motion::kept;
 use core::ops::ControlFlow;
 use rimroll::ground::{Ground, Pulse, Shape};

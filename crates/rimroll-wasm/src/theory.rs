@@ -1,7 +1,6 @@
 //! Closed forms and limits, which need no simulation.
 
-use crate::arguments::Arguments;
-use crate::exchange::{answer, unless_refused};
+use crate::exchange::{Arguments, answer, unless_refused};
 use core::cell::RefCell;
 use rimroll::turn::{Arrival, needed_friction, painleve_friction, turn_limit, turn_limit_of};
 use rimroll::{Body, FrictionLaw, IdealLaw, InvalidInput};
