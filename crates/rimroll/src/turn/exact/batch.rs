@@ -3,8 +3,11 @@
 //! The segments of the turns of a block are integrated one after another. For each segment, starts that
 //! need the same quadrature rule share a group of lanes. Rare cases are left to the scalar code.
 
+use super::dispatch::{
+    ExtremesQuery, FallingBackQuery, StartQuery, TopplePartQuery, TopplingQuery, TurnPartQuery,
+};
 use super::lane_groups::{Class, Group, Lane, columns};
-use super::quadrature_rule::{Choice, RULES};
+use super::quadrature_rule::{Choice, RULES, Rule};
 use super::rocking_batch::TurnPart;
 use super::scalar::Quadrature;
 use super::segments::Integral;
@@ -101,9 +104,12 @@ impl Exact {
     /// Finds the extremes of the starts that rock. The others may topple.
     fn find_rocking(&self, lanes: &mut [Lane]) {
         let engine = self.rocking_engine();
-        let (highest, min_slope) = (self.highest(), self.min_slope());
         for group in indices_where(lanes, |lane| lane.class == Class::BelowBalance).chunks(LANES) {
-            let found = engine.extremes(&Group::of(lanes, group), highest, min_slope);
+            let found = engine.answer(&ExtremesQuery {
+                group: &Group::of(lanes, group),
+                max_y: self.highest(),
+                min_slope: self.min_slope(),
+            });
             let valid = found.valid;
             for (place, &i) in group.iter().enumerate() {
                 let lane = &mut lanes[i];
@@ -130,7 +136,10 @@ impl Exact {
         let (falling, rising): (Vec<_>, Vec<_>) =
             over.into_iter().partition(|&i| lanes[i].start.p < 0.0);
         for group in falling.chunks(LANES) {
-            let found = engine.toppling(&Group::of(lanes, group), &limits);
+            let found = engine.answer(&TopplingQuery {
+                group: &Group::of(lanes, group),
+                limits: &limits,
+            });
             let valid = found.valid;
             for (place, &i) in group.iter().enumerate() {
                 if valid & (1 << place) == 0 {
@@ -149,7 +158,10 @@ impl Exact {
             return; // A disk passes the vertical and falls to its other face.
         }
         for group in rising.chunks(LANES) {
-            let valid = engine.falling_back(&Group::of(lanes, group), &limits);
+            let valid = engine.answer(&FallingBackQuery {
+                group: &Group::of(lanes, group),
+                limits: &limits,
+            });
             for (place, &i) in group.iter().enumerate() {
                 if valid & (1 << place) != 0 {
                     lanes[i].class = Class::FallsBack;
@@ -170,7 +182,7 @@ impl Exact {
             integrate_part(
                 lanes,
                 |lane| self.choice(part, lane),
-                |group, choice| engine.turn_part(part, group, choice),
+                |group, rule| engine.answer(&TurnPartQuery { group, part, rule }),
                 |lane, segment| match part {
                     TurnPart::FromLowest => lane.from_lowest = segment,
                     TurnPart::ToHighest => lane.from_lowest = sum(lane.from_lowest, segment),
@@ -200,7 +212,14 @@ impl Exact {
                     let passes = lane.class == Class::Topples && has;
                     passes.then(|| Choice::plain(lane.nodes[part as usize]))
                 },
-                |group, choice| engine.topple_part(part, group, &limits, choice),
+                |group, rule| {
+                    engine.answer(&TopplePartQuery {
+                        group,
+                        part,
+                        limits: &limits,
+                        rule,
+                    })
+                },
                 |lane, segment| match part {
                     TopplePart::FromLowest => lane.from_lowest = segment,
                     TopplePart::ToStart => lane.from_lowest = sum(lane.from_lowest, segment),
@@ -251,9 +270,9 @@ impl Lane {
         let engine = exact.rocking_engine();
         let mut lanes = Vec::with_capacity(starts.len());
         for group in starts.chunks(LANES) {
-            let (start, over) = engine.start(columns(group), &exact.balance);
+            let (start, over) = engine.answer(&StartQuery(columns(group), exact.balance));
             lanes.extend(group.iter().enumerate().map(|(place, given)| {
-                let start = start.lane(place);
+                let start = start.map(|lanes| lanes.0[place]);
                 // Next to the balance point, only the scalar code keeps the digits of G.
                 let lingers = is_near_balance(&start, exact.parameters.a, &exact.balance);
                 let class = match over & (1 << place) {
@@ -317,7 +336,7 @@ fn sum([yaw, time]: [f64; 2], [more_yaw, more_time]: [f64; 2]) -> [f64; 2] {
 fn integrate_part(
     lanes: &mut [Lane],
     choice: impl Fn(&Lane) -> Option<Choice>,
-    answer: impl Fn(&Group, Choice) -> Integral,
+    answer: impl Fn(&Group, &'static Rule) -> Integral,
     done: impl Fn(&mut Lane, [f64; 2]),
 ) {
     let mut queue = RuleQueue::new(lanes.len());
@@ -329,7 +348,7 @@ fn integrate_part(
     let mut group = Vec::with_capacity(LANES);
     for choice in (0..RULES).map(Choice::from_index) {
         while queue.take(choice, &mut group) {
-            let integral = answer(&Group::of(lanes, &group), choice);
+            let integral = answer(&Group::of(lanes, &group), choice.rule());
             let (resolved, in_contact) = (integral.resolved, integral.in_contact);
             for (place, &i) in group.iter().enumerate() {
                 let segment = [integral.yaw.0[place], integral.time.0[place]];

@@ -6,7 +6,7 @@ use super::frictionless::FrictionlessTilt;
 use super::fundamental_solutions::Fundamental;
 use super::lane_groups::Group;
 use super::no_slip::NoSlipTilt;
-use super::quadrature_rule::{Choice, Rule};
+use super::quadrature_rule::Rule;
 use super::rocking_batch::{Extremes, TurnPart, extremes, turn_part};
 use super::segments::Integral;
 use super::tilt_equation::Start;
@@ -27,7 +27,7 @@ pub(super) enum Engine<'a> {
 }
 
 /// A body under one of the ideal laws, selected at compile time.
-trait ReducedBody {
+pub(super) trait ReducedBody {
     /// The motion from a start.
     fn motion_from<T: Real>(&self, start: &Start<T>) -> impl TiltEquation<T>;
     /// The motion with known conserved quantities.
@@ -71,13 +71,14 @@ impl ReducedBody for Parameters<f64> {
 }
 
 /// A computation on sixteen starts.
-trait Query {
+pub(super) trait Query {
     type Answer;
     fn of<V: Vector>(&self, body: &impl ReducedBody) -> Self::Answer;
 }
 
-/// Converts starts given as [tilt, tilt rate, yaw rate, spin rate] and compares them with the balance point.
-struct StartQuery([Lanes; 4], Balance);
+/// Converts starts given as [tilt, tilt rate, yaw rate, spin rate] to the variables of the quadrature. The bits mark the
+/// lanes that start past the balance point or whose energy without yaw and spin suffices to reach it.
+pub(super) struct StartQuery(pub(super) [Lanes; 4], pub(super) Balance);
 
 impl Query for StartQuery {
     type Answer = (Start<Lanes>, Bits);
@@ -88,14 +89,15 @@ impl Query for StartQuery {
         let start = Start::<V>::new(V::load_all(given));
         let short = body.tilting_energy(&start).at_most(V::from(balance.energy));
         let over = !short.and(start.y.at_most(V::from(balance.y)));
-        (start.store(), over.bits())
+        (start.map(|number| number.store()), over.bits())
     }
 }
 
-struct ExtremesQuery<'a> {
-    group: &'a Group,
-    max_y: f64,
-    min_slope: f64,
+/// [`extremes`] of a group.
+pub(super) struct ExtremesQuery<'a> {
+    pub(super) group: &'a Group,
+    pub(super) max_y: f64,
+    pub(super) min_slope: f64,
 }
 
 impl Query for ExtremesQuery<'_> {
@@ -103,16 +105,17 @@ impl Query for ExtremesQuery<'_> {
 
     #[inline(always)]
     fn of<V: Vector>(&self, body: &impl ReducedBody) -> Extremes {
-        let start = &Start::<V>::load(&self.group.start);
+        let start = &self.group.start.map(V::load);
         let motion = body.motion_from(start);
         extremes(&motion, start, self.max_y, self.min_slope)
     }
 }
 
-struct TurnPartQuery<'a> {
-    group: &'a Group,
-    part: TurnPart,
-    rule: &'static Rule,
+/// [`turn_part`] of a group, integrated.
+pub(super) struct TurnPartQuery<'a> {
+    pub(super) group: &'a Group,
+    pub(super) part: TurnPart,
+    pub(super) rule: &'static Rule,
 }
 
 impl Query for TurnPartQuery<'_> {
@@ -128,14 +131,15 @@ impl Query for TurnPartQuery<'_> {
             ..
         } = self.group;
         let motion = body.motion_with::<V>(V::load_all(conserved));
-        let (start, low, high) = (Start::load(start), V::load_all(low), V::load_all(high));
+        let (start, low, high) = (start.map(V::load), V::load_all(low), V::load_all(high));
         turn_part(self.part, &motion, &start, low, high, self.rule).integral(self.rule.nodes.len())
     }
 }
 
-struct TopplingQuery<'a> {
-    group: &'a Group,
-    limits: &'a ToppleLimits,
+/// [`toppling`] of a group.
+pub(super) struct TopplingQuery<'a> {
+    pub(super) group: &'a Group,
+    pub(super) limits: &'a ToppleLimits,
 }
 
 impl Query for TopplingQuery<'_> {
@@ -143,14 +147,15 @@ impl Query for TopplingQuery<'_> {
 
     #[inline(always)]
     fn of<V: Vector>(&self, body: &impl ReducedBody) -> Toppling {
-        let start = &Start::<V>::load(&self.group.start);
+        let start = &self.group.start.map(V::load);
         toppling(&body.motion_from(start), start, self.limits)
     }
 }
 
-struct FallingBackQuery<'a> {
-    group: &'a Group,
-    limits: &'a ToppleLimits,
+/// [`falling_back`] of a group.
+pub(super) struct FallingBackQuery<'a> {
+    pub(super) group: &'a Group,
+    pub(super) limits: &'a ToppleLimits,
 }
 
 impl Query for FallingBackQuery<'_> {
@@ -158,16 +163,17 @@ impl Query for FallingBackQuery<'_> {
 
     #[inline(always)]
     fn of<V: Vector>(&self, body: &impl ReducedBody) -> Bits {
-        let start = &Start::<V>::load(&self.group.start);
+        let start = &self.group.start.map(V::load);
         falling_back(&body.motion_from(start), start, self.limits)
     }
 }
 
-struct TopplePartQuery<'a> {
-    group: &'a Group,
-    part: TopplePart,
-    limits: &'a ToppleLimits,
-    rule: &'static Rule,
+/// [`topple_part`] of a group, integrated.
+pub(super) struct TopplePartQuery<'a> {
+    pub(super) group: &'a Group,
+    pub(super) part: TopplePart,
+    pub(super) limits: &'a ToppleLimits,
+    pub(super) rule: &'static Rule,
 }
 
 impl Query for TopplePartQuery<'_> {
@@ -186,7 +192,7 @@ impl Query for TopplePartQuery<'_> {
         topple_part(
             self.part,
             &motion,
-            &Start::load(start),
+            &start.map(V::load),
             V::load_all(low),
             V::load(width),
             self.limits,
@@ -197,51 +203,8 @@ impl Query for TopplePartQuery<'_> {
 }
 
 impl Engine<'_> {
-    /// Converts starts given as [tilt, tilt rate, yaw rate, spin rate] to the variables of the quadrature. The
-    /// bits mark the lanes that start past the balance point or whose energy without yaw and spin suffices to
-    /// reach it.
-    pub(super) fn start(&self, given: [Lanes; 4], balance: &Balance) -> (Start<Lanes>, Bits) {
-        self.answer(&StartQuery(given, *balance))
-    }
-
-    pub(super) fn extremes(&self, group: &Group, max_y: f64, min_slope: f64) -> Extremes {
-        self.answer(&ExtremesQuery {
-            group,
-            max_y,
-            min_slope,
-        })
-    }
-
-    pub(super) fn turn_part(&self, part: TurnPart, group: &Group, choice: Choice) -> Integral {
-        let rule = choice.rule();
-        self.answer(&TurnPartQuery { group, part, rule })
-    }
-
-    pub(super) fn toppling(&self, group: &Group, limits: &ToppleLimits) -> Toppling {
-        self.answer(&TopplingQuery { group, limits })
-    }
-
-    pub(super) fn falling_back(&self, group: &Group, limits: &ToppleLimits) -> Bits {
-        self.answer(&FallingBackQuery { group, limits })
-    }
-
-    pub(super) fn topple_part(
-        &self,
-        part: TopplePart,
-        group: &Group,
-        limits: &ToppleLimits,
-        choice: Choice,
-    ) -> Integral {
-        let rule = choice.rule();
-        self.answer(&TopplePartQuery {
-            group,
-            part,
-            limits,
-            rule,
-        })
-    }
-
-    fn answer<A: Query>(&self, query: &A) -> A::Answer {
+    /// The answer for this body, in the widest registers.
+    pub(super) fn answer<A: Query>(&self, query: &A) -> A::Answer {
         run_widest(QueryKernel(self, query))
     }
 }
@@ -319,16 +282,13 @@ mod tests {
             let given = columns(&group(-1.0));
             same(integral(&engine, &StartQuery(given, exact.balance)));
             let mut rocking = Group::of(&lanes(-1.0), &all);
-            let max_y = exact.highest();
-            let min_slope = exact.min_slope();
-            let found = engine.extremes(&rocking, max_y, min_slope);
-            assert_eq!(found.valid, Bits::MAX);
-            let group = &rocking;
             let query = ExtremesQuery {
-                group,
-                max_y,
-                min_slope,
+                group: &rocking,
+                max_y: exact.highest(),
+                min_slope: exact.min_slope(),
             };
+            let found = engine.answer(&query);
+            assert_eq!(found.valid, Bits::MAX);
             same(integral(&engine, &query));
             rocking = Group {
                 conserved: found.conserved,
@@ -348,10 +308,11 @@ mod tests {
 
             let engine = exact.general_engine();
             let mut toppling = Group::of(&lanes(-5.0), &all);
-            let found = engine.toppling(&toppling, limits);
-            assert_eq!(found.valid, Bits::MAX);
             let group = &toppling;
-            same(integral(&engine, &TopplingQuery { group, limits }));
+            let query = TopplingQuery { group, limits };
+            let found = engine.answer(&query);
+            assert_eq!(found.valid, Bits::MAX);
+            same(integral(&engine, &query));
             toppling = Group {
                 conserved: found.conserved,
                 low: found.low,
@@ -374,8 +335,9 @@ mod tests {
             }
 
             let group = &Group::of(&lanes(4.0), &all);
-            assert_eq!(engine.falling_back(group, limits), Bits::MAX);
-            same(integral(&engine, &FallingBackQuery { group, limits }));
+            let query = FallingBackQuery { group, limits };
+            assert_eq!(engine.answer(&query), Bits::MAX);
+            same(integral(&engine, &query));
         }
     }
 }

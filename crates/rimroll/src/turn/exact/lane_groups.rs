@@ -85,14 +85,13 @@ impl Group {
             }
             Packed(lanes)
         };
+        let mut start = group[0].start.map(|&number| Lanes::from(number));
+        for (place, lane) in group.iter().enumerate() {
+            let put = |number: &f64, lanes: &mut Lanes| lanes.0[place] = *number;
+            lane.start.write(&mut start, put);
+        }
         Group {
-            start: Start {
-                y: all(|lane| lane.start.y),
-                eta: all(|lane| lane.start.eta),
-                p: all(|lane| lane.start.p),
-                w: all(|lane| lane.start.w),
-                s: all(|lane| lane.start.s),
-            },
+            start,
             conserved: [
                 all(|lane| lane.conserved[0]),
                 all(|lane| lane.conserved[1]),

@@ -18,6 +18,39 @@ use crate::law::Parameters;
 use crate::real::{Real, Scalar};
 use core::f64::consts::PI;
 
+/// What does not depend on the form of G: the part of [`TiltEquation`] that is that of the field `motion`.
+macro_rules! as_in_the_motion {
+    () => {
+        fn conserved(&self) -> Conserved<T> {
+            self.motion.conserved()
+        }
+
+        fn terms(&self, point: &Point<T>) -> [T; 2] {
+            self.motion.terms(point)
+        }
+
+        fn guess_lowest(&self) -> T {
+            self.motion.guess_lowest()
+        }
+
+        fn guess_highest(&self) -> T {
+            self.motion.guess_highest()
+        }
+
+        fn scaled_normal_force(&self, point: &Point<T>) -> T {
+            self.motion.scaled_normal_force(point)
+        }
+
+        fn scaled_weight(&self, point: &Point<T>) -> T {
+            self.motion.scaled_weight(point)
+        }
+
+        fn normal_force_bound(&self, low: &Point<T>, high: &Point<T>) -> T {
+            self.motion.normal_force_bound(low, high)
+        }
+    };
+}
+
 /// Maximum distance in η between the turning points.
 pub(super) const MAX_SPAN: f64 = 0.4;
 
@@ -71,9 +104,7 @@ impl<'a, T: Real> SmallOscillation<'a, T> {
 }
 
 impl<T: Real> TiltEquation<T> for SmallOscillation<'_, T> {
-    fn conserved(&self) -> Conserved<T> {
-        self.motion.conserved()
-    }
+    as_in_the_motion!();
 
     fn at(&self, y: T, eta: T) -> Point<T> {
         Point {
@@ -82,38 +113,14 @@ impl<T: Real> TiltEquation<T> for SmallOscillation<'_, T> {
         }
     }
 
-    fn terms(&self, point: &Point<T>) -> [T; 2] {
-        self.motion.terms(point)
-    }
-
     /// The bound for the change of G since the start, plus that for G at the start.
     fn rounding(&self, point: &Point<T>, eta: T) -> T {
         self.motion.rounding(point, eta) * eta.abs() + T::from(ROUNDING) * self.drive_start.abs()
     }
 
-    fn guess_lowest(&self) -> T {
-        self.motion.guess_lowest()
-    }
-
-    fn guess_highest(&self) -> T {
-        self.motion.guess_highest()
-    }
-
     /// A distance that is large compared with the oscillation.
     fn gap_beyond(&self, _: T) -> T {
         T::from(1.0)
-    }
-
-    fn scaled_normal_force(&self, point: &Point<T>) -> T {
-        self.motion.scaled_normal_force(point)
-    }
-
-    fn scaled_weight(&self, point: &Point<T>) -> T {
-        self.motion.scaled_weight(point)
-    }
-
-    fn normal_force_bound(&self, low: &Point<T>, high: &Point<T>) -> T {
-        self.motion.normal_force_bound(low, high)
     }
 }
 
@@ -207,9 +214,7 @@ impl<'a, T: Scalar> NearBalance<'a, T> {
 }
 
 impl<T: Scalar> TiltEquation<T> for NearBalance<'_, T> {
-    fn conserved(&self) -> Conserved<T> {
-        self.motion.conserved()
-    }
+    as_in_the_motion!();
 
     fn at(&self, y: T, eta: T) -> Point<T> {
         let point = self.motion.at(y, eta);
@@ -221,10 +226,6 @@ impl<T: Scalar> TiltEquation<T> for NearBalance<'_, T> {
             drive: (away - from).where_negative(point.drive, drive),
             ..point
         }
-    }
-
-    fn terms(&self, point: &Point<T>) -> [T; 2] {
-        self.motion.terms(point)
     }
 
     /// The gravity term has a rounding error proportional to the distance from the start. The error of the
@@ -241,28 +242,8 @@ impl<T: Scalar> TiltEquation<T> for NearBalance<'_, T> {
             * (self.drive_start.abs() + weight * away.abs() + gyroscopic * (to - from))
     }
 
-    fn guess_lowest(&self) -> T {
-        self.motion.guess_lowest()
-    }
-
-    fn guess_highest(&self) -> T {
-        self.motion.guess_highest()
-    }
-
     fn gap_beyond(&self, y: T) -> T {
         self.motion.gap_beyond(y)
-    }
-
-    fn scaled_normal_force(&self, point: &Point<T>) -> T {
-        self.motion.scaled_normal_force(point)
-    }
-
-    fn scaled_weight(&self, point: &Point<T>) -> T {
-        self.motion.scaled_weight(point)
-    }
-
-    fn normal_force_bound(&self, low: &Point<T>, high: &Point<T>) -> T {
-        self.motion.normal_force_bound(low, high)
     }
 }
 

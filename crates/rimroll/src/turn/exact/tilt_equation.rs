@@ -4,7 +4,7 @@
 //! at each tilt: I φ̇² = G(φ). The independent variable is η = ln y with y = tan(φ/2), dφ = sin φ dη. In η
 //! the near-collision is not shorter than the rest of the motion, for any smallest tilt.
 
-use crate::real::{Lanes, Real, Vector, sin_cos_below_eighth};
+use crate::real::{Real, fieldwise, sin_cos_below_eighth};
 use crate::state::State;
 
 /// Relative rounding error bound of the terms of G.
@@ -172,43 +172,7 @@ impl<T: Real> Start<T> {
     }
 }
 
-impl<V: Vector> Start<V> {
-    #[inline(always)]
-    pub(super) fn load(start: &Start<Lanes>) -> Self {
-        Start {
-            y: V::load(&start.y),
-            eta: V::load(&start.eta),
-            p: V::load(&start.p),
-            w: V::load(&start.w),
-            s: V::load(&start.s),
-        }
-    }
-
-    #[inline(always)]
-    pub(super) fn store(&self) -> Start<Lanes> {
-        Start {
-            y: self.y.store(),
-            eta: self.eta.store(),
-            p: self.p.store(),
-            w: self.w.store(),
-            s: self.s.store(),
-        }
-    }
-}
-
-impl Start<Lanes> {
-    /// The start in one lane.
-    #[inline(always)]
-    pub(super) fn lane(&self, place: usize) -> Start<f64> {
-        Start {
-            y: self.y.0[place],
-            eta: self.eta.0[place],
-            p: self.p.0[place],
-            w: self.w.0[place],
-            s: self.s.0[place],
-        }
-    }
-}
+fieldwise!(Start { y, eta, p, w, s; });
 
 impl Start<f64> {
     pub(super) fn of(start: &State) -> Self {
