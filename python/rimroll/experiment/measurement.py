@@ -193,9 +193,10 @@ def measured(
     given: Mapping[str, object], across_pivot: str | None, typed: Callable[[str], str] = str
 ) -> Measurement:
     """:func:`measure` of readings by name, which messages write as ``typed`` has them."""
-    gravity = given.get("gravity")
+    rest = dict(given)
+    gravity = rest.pop("gravity", None)
     usual = _core.STANDARD_GRAVITY if gravity is None else gravity
-    readings = Readings({**given, "gravity": usual}, typed)
+    readings = Readings({**rest, "gravity": usual}, typed)  # it is listed last
     missing = readings.lacking([(("mass",),), RADIUS, HEIGHT, TRANSVERSE])
     if missing:
         raise RimrollError(f"a measurement also needs {'; '.join(missing)}")
