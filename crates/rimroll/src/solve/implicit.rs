@@ -326,7 +326,11 @@ impl<const N: usize> Newton<N> {
         }
         let mut correction = *residual;
         for (row, &by) in x.iter().enumerate() {
-            correction[row / n][self.active[row % n]] = by;
+            let component = self.active[row % n];
+            // What stays exactly constant, as all across a plane does, is not moved by rounding errors of the others.
+            if residual.iter().any(|point| point[component] != 0.0) {
+                correction[row / n][component] = by;
+            }
         }
         let Sizes { scales, rounding } = self.sizes;
         let mut change: f64 = 0.0;
