@@ -335,7 +335,11 @@ impl Contacts {
         let inertia = k.a + k.m * (k.r * k.r + height * height);
         let sin = self.sine_at_gap();
         let cos = (1.0 - sin * sin).sqrt();
-        let at_gap = Coordinates { sin, cos, ..at.u };
+        let at_gap = Coordinates {
+            sin,
+            cos,
+            ..on_first_face(&at.u)
+        };
         let weight = k.m * k.g * (k.z(&at_gap) - k.h);
         let work = work_in_fall(self.dynamics(at.phase), rolls, &at_gap);
         0.5 * inertia * at.p * at.p < weight + work
@@ -344,8 +348,9 @@ impl Contacts {
     /// Whether a body comes down flat beside a vertical plane. Without a gap, rounding errors alone may take it out of its
     /// plane by a small angle.
     pub(super) fn is_beside_plane(&self, u: &Coordinates<f64>) -> bool {
-        const ROUNDING: f64 = 0.1;
-        let in_plane = if self.flat_gap() > 0.0 { 0.0 } else { ROUNDING };
+        const ROUNDED_DIRECTION: f64 = 0.1;
+        let has_gap = self.sine_at_gap() > self.flat_sine();
+        let in_plane = if has_gap { 0.0 } else { ROUNDED_DIRECTION };
         u.w.abs() > in_plane * u.p.abs()
     }
 

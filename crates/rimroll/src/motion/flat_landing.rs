@@ -150,8 +150,8 @@ fn turned_over<T: Real>(u: &Coordinates<T>, half_turn: f64) -> Coordinates<T> {
     }
 }
 
-/// The body at the end of a fall over the gap below a small tilt, which takes no time and costs no energy. The table that
-/// moves does work in it: the body falls under gravity and the inertial force.
+/// The body at the end of a fall over the gap below a small tilt, which takes no time and costs no energy. A moving
+/// table works on the body: it falls under gravity and the inertial force.
 ///
 /// The tilt as a vector (φ cos ψ, φ sin ψ) has the velocity (φ̇, w) along e_x1 and e_y1. The base comes down in this
 /// direction, so that the contact point is then where the direction points to. As in the limit of a near-collision, the
@@ -159,8 +159,8 @@ fn turned_over<T: Real>(u: &Coordinates<T>, half_turn: f64) -> Coordinates<T> {
 /// footprint, and one that slides the place and the horizontal velocity of its centre of mass. Of w only the sign
 /// remains, as that of the least number.
 ///
-/// Kinetic energy of a rim that rolls has the term −mHR w s, which goes with w. Where that would leave less than
-/// nothing for φ̇, the base comes to rest flat, and s is reduced.
+/// Kinetic energy of a rim that rolls has the term −mHR w s, which goes with w. Where that and
+/// the work leave less than nothing for φ̇, the tilt rate is zero, and s is reduced.
 pub(super) fn fallen<T: Scalar>(
     dynamics: &dyn Dynamics<T>,
     friction: &FrictionLaw,

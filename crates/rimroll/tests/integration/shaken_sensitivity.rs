@@ -511,6 +511,42 @@ fn a_body_that_stands_again_keeps_its_derivatives() {
     assert_eq!(case.compare(&excepted), NOT_STANDING);
 }
 
+/// A body whose wobble has ended stands, and the table's acceleration lifts it in the same moment, which depends on the
+/// parameters.
+#[test]
+fn a_body_that_stands_for_no_time_is_lifted_at_a_time_with_derivatives() {
+    let push = Pulse {
+        amplitude: [-4.0, 0.0, -2.0],
+        shape: Shape::Constant,
+        duration: 1.0,
+    };
+    let body = Body::new(109.0, 0.0555, 0.0586, 0.0695, 0.0816).unwrap();
+    let state = [0.0305, 0.00958, 0.815, -0.0798, 2.07, 0.617];
+    let mut case = Case {
+        duration: 0.4,
+        flat: FlatLanding::Smooth(Side::Right),
+        times: [0.1, 0.2, 0.35],
+        accuracy: 1e-4,
+        ..Case::new(
+            "stands for no time",
+            FrictionLaw::NoSlip,
+            Ground::pulses(vec![push]).unwrap(),
+            state,
+            &body,
+        )
+    };
+    case.law.resistance.rolling.dry = 0.003;
+    let gravity = SHAKEN_PARAMETERS.iter().position(|name| *name == "gravity");
+    case.numbers[gravity.unwrap()] = 5.866;
+    let motion = case.motion(&case.numbers);
+    let times = ["stand", "uplift"].map(|kind| {
+        let mut events = motion.events.iter();
+        events.find(|event| event.kind.name() == kind).unwrap().at.t
+    });
+    assert_eq!(times[0], times[1]);
+    case.compare(&["mass", "spin"]);
+}
+
 /// A constant vertical acceleration is another gravity.
 #[test]
 fn the_scale_of_a_vertical_acceleration_acts_as_gravity() {

@@ -265,7 +265,7 @@ fn the_energy_budget_closes_under_every_law() {
     }
 }
 
-/// A table falls away under a body, at twice the acceleration of a free fall, and then stands still. The bounces of the level
+/// A table falls away under a body, at twice the acceleration of a free fall, and then keeps its velocity. The bounces of the level
 /// base are a geometric series, whatever their number.
 #[test]
 fn a_level_base_bounces_until_its_bounces_have_vanished() {

@@ -78,8 +78,13 @@ impl Saltation<'_> {
                 t: u.t.value.into(),
                 ..u
             },
+            // A body that departs at once does so when it has come to stand, and not at a time of its own.
             Phase::Standing => Coordinates {
-                t: u.t.value.into(),
+                t: if self.after.start[TIME] == self.after.end[TIME] {
+                    u.t
+                } else {
+                    u.t.value.into()
+                },
                 slip_x: 0.0.into(),
                 slip_y: 0.0.into(),
                 ..u
@@ -370,7 +375,7 @@ impl Saltation<'_> {
         }
         let at = self.at_event(u, flat_function(contacts, end));
         let first = on_first_face(&at);
-        let has_gap = contacts.flat_gap() > 0.0;
+        let has_gap = contacts.has_gap(self.before.phase);
         if !has_gap && contacts.is_beside_plane(&values(&first)) {
             return Err(refused("the base comes down flat beside a plane"));
         }
@@ -455,13 +460,9 @@ impl Saltation<'_> {
         let k = &self.variation.k;
         let (j, inertia) = inertias_of(k, law);
         let [from, to] = [self.before.end[0], self.after.start[0]];
-        // Over a gap, a motion beside its plane determines the side.
-        let turns_back = if u.w.value == 0.0 {
-            to < from
-        } else {
-            u.w.value < 0.0
-        };
-        let turn = (j / inertia).sqrt() * Number::from(if turns_back { -PI } else { PI });
+        // The turn is larger than the change of direction in the fall.
+        let side = if to < from { -PI } else { PI };
+        let turn = (j / inertia).sqrt() * Number::from(side);
         let (sin, cos) = turn.sin_cos();
         let turned = |[x, y]: [Number; 2]| [x * cos + y * sin, y * cos - x * sin];
         let [x1, y1] = turned([u.x1, u.y1]);

@@ -67,7 +67,7 @@ impl Variation {
                 self.collocated(contacts, record, phase, start, x)
             }
             Phase::Standing | Phase::Lying => Coordinates {
-                t: (t + h).into(),
+                t: start.t + Number::from(h),
                 ..*start
             },
             Phase::SlidingFlat | Phase::FlyingLevel => {
