@@ -96,7 +96,8 @@ def table_of(**numbers: Quantity) -> dict[str, Quantity]:
         name: replace(
             number,
             option=number.option or name,
-            metavar=number.metavar or KINDS[number.unit][2],
+            metavar=number.metavar
+            or (KINDS[number.unit][2] if number.unit in KINDS else number.unit),
         )
         for name, number in numbers.items()
     }

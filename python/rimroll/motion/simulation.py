@@ -114,9 +114,10 @@ def simulate(
         The base comes down flat also where the tilt falls below that at which the opposite point of
         the rim is this far above the table, m: from 0, which means never, to a tenth of the radius
         or, for a slender body, to where the tilt is a quarter of the balance tilt.
-        It goes on in the direction in which the axis moves, with the energy that it has; ``smooth``
-        runs to the side of the yaw rate. On the way up nothing happens at this tilt, and a body
-        whose energy does not suffice to reach it stands.
+        It goes on in the direction in which the axis moves, with its energy and the work of the
+        table's acceleration over the gap; ``smooth`` runs to the side of the yaw rate. On the way
+        up nothing happens at this tilt, and a body whose energy does not suffice to reach it
+        stands.
     restitution
         Restitution in the impacts of a body with corners, 0 (plastic) to 1 (no energy is lost in
         the normal direction). That of a round body belongs to its law: ``Coulomb(0.3,
