@@ -77,7 +77,7 @@ def test_the_everyday_units_agree_with_the_registry():
 
 @pytest.mark.parametrize("unit", units.KINDS)
 def test_the_example_in_each_message_is_itself_good(unit):
-    _, example = units.KINDS[unit]
+    _, example, _ = units.KINDS[unit]
     assert math.isfinite(quantity(example, unit))
 
 
@@ -116,7 +116,7 @@ def test_a_refusal_names_option_text_kind_example_and_reason(value, unit, why):
     with pytest.raises(UnitError) as refusal:
         quantity(value, unit, "--tilt")
     message = str(refusal.value)
-    kind, example = units.KINDS[unit]
+    kind, example, _ = units.KINDS[unit]
     assert message.startswith(f'--tilt must be {kind} such as "{example}"')
     assert why in message
     assert "\n" not in message

@@ -6,8 +6,8 @@ z = R sin φ + H cos φ and J = A + m (R² + H²). In an impact the body goes on
 point with φ̇ smaller by the factor (J - 2 m R²)/J. The acceleration a is linear between samples.
 
 With a gap, the impact is where the tilt falls below that at which the opposite point of the rim is
-so far above the table, with the φ̇ that the body would have at the tilt 0; there it goes on. A body
-that cannot reach this tilt any more stands.
+so far above the table, with the φ̇ that it would have at the tilt 0 under the acceleration of this
+time; there it goes on. A body that cannot reach this tilt any more stands.
 """
 
 from dataclasses import dataclass
@@ -67,7 +67,7 @@ class PlanarRocking:
                     return times, state[0]
                 if lands:
                     times.append(t)
-                    side, state = self._landed(side, state)
+                    side, state = self._landed(side, state, line(t))
         return times, state[0]
 
     def _lifted(self, t, end, line):
@@ -97,13 +97,19 @@ class PlanarRocking:
         found = solve_ivp(rates, (t, end), state, "DOP853", rtol=1e-13, atol=1e-16, events=impact)
         return found.t[-1], found.y[:, -1], found.status == 1
 
-    def _landed(self, side, state):
+    def _energy(self, side, tilt, acceleration):
+        """The integral of J φ̈ from a tilt to 0 under a constant acceleration, J."""
+        radius, height = self.body.radius, self.body.height
+        lift = radius * sin(tilt) - height * (1 - cos(tilt))
+        along = radius * (1 - cos(tilt)) + height * sin(tilt)
+        return self.body.mass * (self.gravity * lift - side * acceleration * along)
+
+    def _landed(self, side, state, acceleration):
         body = self.body
-        lift = body.radius * sin(state[0]) - body.height * (1 - cos(state[0]))
-        gained = 2 * body.mass * self.gravity * lift / self.inertia if self.gap else 0.0
+        gained = self._energy(side, state[0], acceleration) if self.gap else 0.0
         factor = 1 - 2 * body.mass * body.radius**2 / self.inertia
-        speed = factor * sqrt(state[1] ** 2 + gained)
-        rise = body.radius * sin(self.lowest) - body.height * (1 - cos(self.lowest))
-        needed = body.mass * self.gravity * max(STANDS * body.radius, rise)
+        speed = factor * sqrt(state[1] ** 2 + 2 * gained / self.inertia)
+        needed = body.mass * self.gravity * STANDS * body.radius
+        needed = max(needed, self._energy(-side, self.lowest, acceleration))
         stands = self.inertia * speed**2 / 2 < needed
         return (0, (0.0, 0.0)) if stands else (-side, (0.0, speed))
