@@ -516,8 +516,7 @@ impl<'a> Run<'a> {
                 let direction = None;
                 AfterEvent::Phase(phase, PhaseStart { u, direction })
             }
-            TerminalEvent::Flat if LEVEL_PHASES => self.land_flat(at),
-            TerminalEvent::Flat => end(self, EventKind::FaceDown, Status::FaceDown),
+            TerminalEvent::Flat => self.land_flat(at),
             TerminalEvent::StoppedRunning => self.land_stopped(at),
             TerminalEvent::LiftOff if !self.contacts.can_fly() => {
                 end(self, EventKind::LiftOff, Status::LiftedOff)

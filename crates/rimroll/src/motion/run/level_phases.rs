@@ -5,7 +5,7 @@ use super::{AfterEvent, MAX_EMPTY_PHASES, PhaseEnd, PhaseStart, Run};
 use crate::ending::Status;
 use crate::motion::event::EventKind;
 use crate::motion::flat_landing::{FlatLanding, on_face_of};
-use crate::motion::instant::{Instant, Phase};
+use crate::motion::instant::{Instant, LEVEL_PHASES, Phase};
 use crate::motion::level_base::LevelMotion;
 use crate::motion::level_base::{Departure, LevelBase, levelled};
 use crate::motion::step_record::StepRecord;
@@ -22,6 +22,11 @@ const REPORT_INTERVAL: usize = 256;
 impl Run<'_> {
     /// The motion after the whole base has come down flat at once.
     pub(super) fn land_flat(&mut self, at: &Instant) -> AfterEvent {
+        // Without the feature `ground`, every motion ends here.
+        if !LEVEL_PHASES {
+            self.detector.add(EventKind::FaceDown, *at);
+            return AfterEvent::End(Status::FaceDown);
+        }
         let (fallen, side) = fallen_flat(self.contacts, at);
         // A body that has only just begun to rock lands with rounding errors alone.
         if self.contacts.moves() && self.contacts.hardly_rocks(&fallen) {
