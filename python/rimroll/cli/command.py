@@ -1,6 +1,6 @@
 """A function as a command: an option for each of its parameters, help by panels; and groups.
 
-Of a group of commands, only the one that is called is loaded.
+A group of commands loads only the command that is called.
 """
 
 from __future__ import annotations

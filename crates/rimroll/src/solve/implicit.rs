@@ -359,7 +359,7 @@ impl<const N: usize> Newton<N> {
 #[cfg(test)]
 mod tests {
     use super::{Implicit, System};
-    use crate::real::Real;
+    use crate::real::{Real, Scalar};
 
     /// x′ = −10⁶ (x − y), y′ = −y: x follows y at once.
     struct Follower;
@@ -374,13 +374,27 @@ mod tests {
         }
     }
 
-    /// The same with the integral of y, which may be far larger than its error scale.
+    /// A [`Follower`] and the integral of y. This integral may be far larger than its error scale.
     struct Accounted;
 
     impl<T: Real> System<T, 3> for Accounted {
         fn rates(&self, u: &[T; 3]) -> [T; 3] {
             let [x, y] = Follower.rates(&[u[0], u[1]]);
             [x, y, u[1]]
+        }
+
+        fn scale(&self, _: &[T; 3]) -> [T; 3] {
+            [T::from(1.0); 3]
+        }
+    }
+
+    /// A [`Follower`] in a plane: the rate across is zero, but has a derivative.
+    struct InPlane;
+
+    impl<T: Scalar> System<T, 3> for InPlane {
+        fn rates(&self, u: &[T; 3]) -> [T; 3] {
+            let [x, y] = Follower.rates(&[u[0], u[1]]);
+            [x, y, u[0] - T::from(u[0].value()) + u[2]]
         }
 
         fn scale(&self, _: &[T; 3]) -> [T; 3] {
@@ -424,6 +438,16 @@ mod tests {
         let exact = libm::exp(-0.3);
         assert!((step.dense.end[1] - exact).abs() < 1e-13);
         assert!((step.dense.end[0] - exact / (1.0 - 1e-6)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_stays_constant_is_not_moved_by_the_others() {
+        let mut implicit = Implicit::new(&InPlane, &InPlane, [2.0, 1.0, 0.0], 1e-10);
+        for _ in 0..5 {
+            let step = implicit.attempt(1e-6).expect("it settles");
+            assert_eq!(step.dense.end[2], 0.0);
+            implicit.accept(&step.dense);
+        }
     }
 
     #[test]
